@@ -3,7 +3,7 @@
 import os
 
 from numerics.trade.recorded import Trade
-from paper_checks.report.output import parts
+from paper_checks.report.output import pictures
 from paper_checks.running import rows
 
 
@@ -12,6 +12,6 @@ def dies_of_energy_rate(name, given):
     return os._exit(7) if name == "energy-rate" else rows.found(name, given)
 
 
-def dies_of_two_bodies(part: parts.Part, trade: Trade) -> parts.Made:
+def dies_of_two_bodies(one: pictures.Drawing, trade: Trade) -> bytes | pictures.Undrawn:
     """Draw a figure, and end without a word when asked for the figure `two-bodies`."""
-    return os._exit(7) if part.name == "two-bodies" else dict(parts.made([part], trade))[part]
+    return os._exit(7) if one.name == "two-bodies" else dict(pictures.made([one], trade))[one]

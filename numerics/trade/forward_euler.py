@@ -73,7 +73,7 @@ def march(
     """Fill the columns of y, (4, n), from the first one on: plain arithmetic, fit for a compiler."""
     x1, v1, x2, v2 = float(y[0, 0]), float(y[1, 0]), float(y[2, 0]), float(y[3, 0])
     for n in range(1, y.shape[1]):
-        load, friction = a2 * x1 + a1 * v1 - u[n - 1], b[n - 1]
+        load, friction = a2 * x1 + a1 * v1 - float(u[n - 1]), float(b[n - 1])
         sign = (v1 > v2) * 1 - (v1 < v2) * 1
         if sign == 0 and not literal and abs(load) > friction * (m1 + m2) / m2:
             sign = -1 if load > 0 else 1

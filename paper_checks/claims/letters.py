@@ -1,13 +1,7 @@
 """Letters that clauses of several subjects are written with, and what they stand for."""
 
-from collections.abc import Callable
-
-import sympy as sp
-
 from paper_checks.claims.words import *
-from theory.energy import critical_energy
 from theory.excursion import h
-from theory.filippov import half_width
 from theory.near_critical import rate_constant
 from theory.return_map import depth
 from theory.symbols import r as share_of_q
@@ -17,18 +11,12 @@ S = Symbol("s", real=True)
 """The sign of a slip."""
 
 
-Conditions = Callable[[], list[Basic]]
+def past_edge(side: int, relation: str = ">") -> Basic:
+    """Return the condition side x1 > L, or >=, of S_+ and S_-."""
+    return signed(side * x1 - half_width(), relation)
 
 
-def _beyond(side: int) -> Conditions:
-    return lambda: [signed(side * x1 - half_width(), ">")]
-
-
-BEYOND: dict[int, Conditions] = {1: _beyond(1), -1: _beyond(-1)}
-"""The conditions side x1 > L of S_+ and S_-."""
-
-
-def WITHIN() -> list[Basic]:
+def in_strip() -> list[Basic]:
     """Return the conditions |x1| <= L of S_0."""
     return [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
 
@@ -60,7 +48,7 @@ RATE = ECR * 4 * pi / 9 * m1 / m2 * sqrt((m1 + m2) / a2)
 
 def limit_of_energy() -> Formula:
     """Return the limit of t (E - E_cr)."""
-    return Formula(r"t\,(E(t)-E_{cr})", "->", RATE, equals(lambda: rate_constant() / critical_energy() * ECR))
+    return tends(r"t\,(E(t)-E_{cr})", RATE, lambda: rate_constant() / critical_energy() * ECR)
 
 
 C, H, R = symbols("c h r", positive=True)

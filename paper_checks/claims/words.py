@@ -1,9 +1,16 @@
 """What a claim is written with, from one place: every module of this room begins with `from paper_checks.claims.words import *`.
 
-The words are those that `paper_checks.evidence` and `paper_checks.decide` list, the letters those of `theory.symbols`, and
-what formulas are made of is sympy's.
+A claim and its clauses; what decides a formula, a step and a scene in balls; the letters of `theory.symbols`, the fields and
+energies that most claims speak of, and what formulas are made of.
 """
 
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+
+import sympy as sp
+from flint import arb
 from sympy import (
     Abs,
     And,
@@ -22,6 +29,41 @@ from sympy import (
     symbols,
 )
 
-from paper_checks.decide import *
-from paper_checks.evidence import *
+from numerics.linear.modes import EventKind, Mode
+from numerics.scene import Force, Pair, Scene, State
+from numerics.scene.file import load_scene
+from numerics.trajectory.trajectory import Trajectory
+from paper_checks.decide import kernel
+from paper_checks.decide.balls import point, precision
+from paper_checks.decide.deciders import Decide, condition, decimal, equal, equals, fails_at, implied, sharp, tends
+from paper_checks.decide.enclosure import ball, compare, exact, itinerary, rounded, solved, stuck_for_ever, text
+from paper_checks.decide.exact import identity
+from paper_checks.decide.exhibit import exhibit, value_at
+from paper_checks.decide.polynomial import cleared, signed
+from paper_checks.decide.smt import prove
+from paper_checks.evidence.claim import (
+    CORRECTED,
+    HOLDS,
+    NOT_JUDGED,
+    POSITIVE,
+    REFUTED,
+    UNDER_A_FORCE,
+    Case,
+    Claim,
+    because,
+    claim,
+    correction,
+    counterexample,
+    theorem,
+)
+from paper_checks.evidence.clause import Clause, Formula, clause
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, argument, enclosed, reading
+from paper_checks.evidence.finding import carried
+from paper_checks.evidence.formula import form, latex, stating
+from theory import forced
+from theory.closed_forms import DampingRegime, residual, solution
+from theory.energy import critical_energy, on_surface, sigma, sigma_other, stick_rate
+from theory.filippov import derivative_along, half_width, load_threshold, phi, sliding_field, transversality
+from theory.model import CASE_STUDY, branch_named, driven_equation, driving_equation, slip, stick
+from theory.power_series import taylor
 from theory.symbols import *

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from functools import partial
 
 import sympy as sp
+from flint import arb
 
+from paper_checks.decide.enclosure import exact
 from paper_checks.decide.exact import identity
 from paper_checks.decide.exhibit import Point, exhibit
 from paper_checks.decide.polynomial import RELATIONAL, signed
@@ -15,9 +17,6 @@ from paper_checks.decide.smt import prove
 from paper_checks.evidence.clause import Formula, decimal_places
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, enclosed
 from theory.symbols import put
-
-if TYPE_CHECKING:
-    from flint import arb
 
 Derived = Callable[[], sp.Basic]
 Decide = Callable[[Formula], Evidence]
@@ -49,9 +48,15 @@ def equal(
     right: sp.Basic | int,
     derived: Derived,
     where: Callable[[], Mapping[sp.Basic, sp.Basic]] = dict,
+    *,
+    relation: str = "=",
 ) -> Formula:
     """Return the formula `left = right`, which is decided by what theory derives for the left side."""
-    return Formula(left, "=", right, equals(derived, where))
+    return Formula(left, relation, right, equals(derived, where))
+
+
+tends = partial(equal, relation="->")
+"""The formula `left -> right`, which is decided by the limit that theory derives."""
 
 
 def implied(
@@ -90,38 +95,25 @@ def sharp(
     return Formula(left, relation, right, condition(found), sharp=True)
 
 
-def decimal(value: Callable[[], arb]) -> Decide:
-    """Decide a decimal fraction that goes on: the enclosed value has these digits."""
+def decimal(left: sp.Basic | str, right: str, value: Callable[[], arb]) -> Formula:
+    """Return the formula `left = right...`, a decimal fraction that goes on: the enclosed value has these digits."""
 
     def decide(formula: Formula) -> Evidence:
-        from paper_checks.decide.enclosure import exact  # with it come numerics, which the list of claims does without
-
         digits, found = sp.Rational(formula.right), value()
         low, high = exact(digits), exact(digits + sp.Rational(1, 10 ** decimal_places(digits)))
         inside, outside = found > low and found < high, found < low or found > high
         passed = True if inside else False if outside else None
         return enclosed(shown(formula), passed, str(found.str(20)))
 
-    return decide
-
-
-def holds_at(point: Point, where: Callable[[], Mapping[sp.Basic, sp.Basic]] = dict) -> Decide:
-    """Decide a formula at one rational point, with what theory derives in the places of `where`."""
-
-    def decide(formula: Formula) -> Evidence:
-        sides = [put(sp.sympify(side), where()) for side in (formula.left, formula.right)]
-        return exhibit(shown(formula), point, (sides[0], formula.relation, sides[1]))
-
-    return decide
+    return Formula(left, "=...", sp.Rational(right), decide)
 
 
 def fails_at(point: Point, where: Callable[[], Mapping[sp.Basic, sp.Basic]] = dict) -> Decide:
-    """Decide that a formula, stated for all, is false: it fails at one rational point."""
+    """Decide that a formula, stated for all, is false: it fails at one rational point, with what theory derives in the places of `where`."""
 
     def decide(formula: Formula) -> Evidence:
-        found = holds_at(point, where)(formula)
-        passed = None if found.passed is None else not found.passed
-        statement = f"{shown(formula)} fails at a point"
-        return Evidence(found.kind, found.engine, statement, passed, found.cases, found.value)
+        left, right = (put(sp.sympify(side), where()) for side in (formula.left, formula.right))
+        found = exhibit(f"{shown(formula)} fails at a point", point, (left, formula.relation, right))
+        return replace(found, passed=None if found.passed is None else not found.passed)
 
     return decide

@@ -29,7 +29,7 @@ def scenes(seed: int, cases: int, periods: int = 40) -> Iterator[Scene]:
         yield Scene(pair, start, until=periods * Fraction("3.15") * time)
 
 
-def dichotomy_samples(seed: int, cases: int = 100) -> Evidence:
+def dichotomy_samples(seed: int, cases: int = 50) -> Evidence:
     """Return that random trajectories have merged, or are above E_cr with an excess that falls at every event."""
     trajectories = [solve(scene) for scene in scenes(seed, cases)]
     merged = sum(one.status is Status.STUCK_FOR_EVER for one in trajectories)

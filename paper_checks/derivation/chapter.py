@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from paper_checks.derivation import energy, rate, slip, surface
 from paper_checks.derivation.line import Line, Stage
-from paper_checks.evidence import Claim, Clause, Steps
+from paper_checks.evidence.claim import Claim
+from paper_checks.evidence.clause import Clause
+from paper_checks.evidence.evidence import Steps
 
 STAGES: tuple[Stage, ...] = (*surface.STAGES, *energy.STAGES, *slip.STAGES, *rate.STAGES)
 LINES: tuple[Line, ...] = tuple(line for stage in STAGES for line in stage.lines)

@@ -2,27 +2,14 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
-from paper_checks.claims.letters import ECR, WITHIN
+from paper_checks.claims.letters import ECR, in_strip
 from paper_checks.claims.section_3 import capture, filippov
 from paper_checks.claims.section_3.levels import LEVEL
 from paper_checks.claims.section_3.sliding import WIDTH
 from paper_checks.claims.words import *
 from paper_checks.derivation.line import Drawn, Line, Stage, gathered, of_clause, same_as, zero
 from paper_checks.derivation.surface import FREE, HALF_WIDTH, SLIDING_FIELD, in_width
-from theory.energy import (
-    arc_speed_terms,
-    critical_energy,
-    edge_speed_squared,
-    energy,
-    level_semi_axis,
-    on_surface,
-    semi_axis_margin,
-    slip_rate,
-    stick_rate,
-)
-from theory.filippov import derivative_along, half_width, sliding_field
+from theory.energy import arc_speed_terms, edge_speed_squared, energy, level_semi_axis, semi_axis_margin, slip_rate
 from theory.fraction import factored
 
 RATE, CONSERVED = "energy-rate/rate", "energy-dissipation-places/conserved"
@@ -165,9 +152,9 @@ CRITICAL = Stage(
             steps=lambda: (
                 argument(
                     "the ellipse is a closed trajectory",
-                    capture.stays_below_critical(),
-                    capture.stick_is_a_motion(),
-                    filippov.stick_region(),
+                    capture.stays_below_critical,
+                    capture.stick_is_a_motion,
+                    filippov.stick_region,
                 ),
             ),
             kernel="ellipse-iff",
@@ -180,7 +167,7 @@ def never_at_rest(formula: Formula) -> Evidence:
     """Decide that above E_cr no point of S0 is at rest."""
     above = signed(on_surface() - critical_energy(), ">")
     differs = sp.Ne(v1, formula.right, evaluate=False)
-    return prove(f"on $S_0$, $E>E_{{cr}}$ implies ${formula.latex}$", [above, *WITHIN()], differs)
+    return prove(f"on $S_0$, $E>E_{{cr}}$ implies ${formula.latex}$", [above, *in_strip()], differs)
 
 
 SUPERCRITICAL = Stage(
@@ -229,7 +216,7 @@ SUPERCRITICAL = Stage(
                     "each arc ends on its ray",
                     identity("along $\\Phi_0$, $\\dot x_1=v_1$", sliding_field()[0], v1),
                     identity("$L$ is as printed", half_width(), WIDTH),
-                    capture.mirror_image(),
+                    capture.mirror_image,
                 ),
             ),
             kernel="arc-to-left-ray slips-on-ray",

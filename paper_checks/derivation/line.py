@@ -12,9 +12,10 @@ from dataclasses import dataclass, field, replace
 import sympy as sp
 
 from paper_checks.claims import claim_named
-from paper_checks.decide import Decide, identity
-from paper_checks.evidence import Clause, Evidence, Formula, Steps
-from paper_checks.evidence.evidence import one_line
+from paper_checks.decide.deciders import Decide
+from paper_checks.decide.exact import identity
+from paper_checks.evidence.clause import Clause, Formula
+from paper_checks.evidence.evidence import Evidence, Steps, one_line
 from theory.symbols import b
 
 _NAMED = re.compile(r"line D(\d+) of the derivation: ")

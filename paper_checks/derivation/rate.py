@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from paper_checks.claims.beyond.excursions import EVENTUALLY, printed_rate_constant, two_sided
 from paper_checks.claims.letters import ECR, RATE, R
 from paper_checks.claims.section_3.convergence import merges_or_creeps
 from paper_checks.claims.words import *
 from paper_checks.derivation.line import Drawn, Line, Stage, gathered, of_clause, same_as
 from paper_checks.derivation.surface import FREE
-from theory.energy import critical_energy
 from theory.near_critical import inverse_step, rate_constant, reduced_rate_constant
 
 LIMIT = "sharp-rate-constant/limit"
@@ -49,7 +46,7 @@ LAW = Stage(
             """,
             f"{BOTH} {STICKS} {SLIPS}",
             lambda: (*of_clause(STICKS, "limit")(), *of_clause(SLIPS, "limit")()),
-            steps=lambda: (argument(EVENTUALLY, merges_or_creeps()),),
+            steps=lambda: (argument(EVENTUALLY, merges_or_creeps),),
             kernel="exit-and-entry-times",
         ),
         Line(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from paper_checks.claims.beyond.excursions import angle_of_excursion, never_merges, vanishes
 from paper_checks.claims.beyond.return_map import LEFT_OUT, remainders
 from paper_checks.claims.beyond.slips import depth_grows, one_contact

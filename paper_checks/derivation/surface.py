@@ -2,25 +2,13 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
-from paper_checks.claims.letters import WITHIN, field, guard_rate
+from paper_checks.claims.letters import field, guard_rate, in_strip
 from paper_checks.claims.section_2 import model as modes
 from paper_checks.claims.section_3.sliding import WIDTH
 from paper_checks.claims.words import *
 from paper_checks.derivation.line import Line, Stage, of_clause, same_as, tidy, zero
-from theory.filippov import (
-    edge_contact,
-    half_width,
-    manifest_signs,
-    phi,
-    sliding_field,
-    sliding_weight,
-    transversality,
-    weight_margin,
-)
+from theory.filippov import edge_contact, manifest_signs, sliding_weight, weight_margin
 from theory.fraction import factored
-from theory.model import branch_named
 
 POSITIVE = "$m_1,m_2,a_2,b>0$"
 FREE = f"{POSITIVE}; no damper, $a_1=0$, and no force, $u=0$"
@@ -97,7 +85,7 @@ MODEL = Stage(
             $\dot z=0$ over some time needs $\ddot z=0$. At all but isolated instants two modes are left, stick and slip.
             """,
             "modes-from-closed-form/instants",
-            steps=lambda: (argument("both branches leave $\\dot z=0$ at once", *modes.leaves_the_surface()),),
+            steps=lambda: (argument("both branches leave $\\dot z=0$ at once", modes.leaves_the_surface),),
         ),
     ),
 )
@@ -285,7 +273,7 @@ def in_width(expression: Expr) -> Expr:
 
 def within_unit(formula: Formula) -> Evidence:
     """Decide that the weight is a convex one on S0."""
-    return prove(f"${formula.latex}$ on $S_0$", WITHIN(), signed(weight_margin(), formula.relation))
+    return prove(f"${formula.latex}$ on $S_0$", in_strip(), signed(weight_margin(), formula.relation))
 
 
 def only_on_strip(formula: Formula) -> Evidence:

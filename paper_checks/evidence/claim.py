@@ -7,11 +7,12 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
+from itertools import chain
 from typing import Any
 
 from paper_checks.errors import LedgerError
 from paper_checks.evidence.clause import Clause
-from paper_checks.evidence.evidence import Evidence, Steps, Subject, one_line
+from paper_checks.evidence.evidence import Evidence, Named, Steps, Subject, one_line, steps
 from paper_checks.evidence.finding import Carried, Finding, Verdict, carried, conclude
 
 HOLDS, CORRECTED, REFUTED, NOT_JUDGED = Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED, Verdict.NOT_JUDGED
@@ -40,14 +41,14 @@ class About:
     steps: Steps
 
 
-def counterexample(text: str, *steps: Evidence) -> About:
+def counterexample(text: str, *named: Named) -> About:
     """Return the counterexample, and the steps that show that it is real and violates what the paper says."""
-    return About(Subject.COUNTEREXAMPLE, one_line(text), steps)
+    return About(Subject.COUNTEREXAMPLE, one_line(text), steps(*named))
 
 
-def correction(*steps: Evidence, text: str = "") -> About:
+def correction(*named: Named, text: str = "") -> About:
     """Return steps of the corrected statement that carry no clause by name; `text` is that statement, if no clause is."""
-    return About(Subject.CORRECTION, one_line(text), steps)
+    return About(Subject.CORRECTION, one_line(text), steps(*named))
 
 
 @dataclass(frozen=True)
@@ -56,15 +57,13 @@ class Case:
 
     reason: str
     parts: tuple[Evidence | Carried | About, ...]
-    derivation: tuple[str, ...]
     figure: str | None
 
 
-def because(
-    reason: str, *parts: Evidence | Carried | About, derivation: tuple[str, ...] = (), figure: str | None = None
-) -> Case:
+def because(reason: str, *parts: Named | Carried | About, figure: str | None = None) -> Case:
     """Return the case for a claim: the reason, and the steps; `carried` says which of them carry which clause."""
-    return Case(one_line(reason), parts, tuple(map(one_line, derivation)), figure)
+    made = ((one,) if isinstance(one, Carried | About) else steps(one) for one in parts)
+    return Case(one_line(reason), tuple(chain.from_iterable(made)), figure)
 
 
 @dataclass(frozen=True)
@@ -134,7 +133,6 @@ class Claim:
             *(step for part in case.parts for step in self._about(part)),
             corrected=texts.get(Subject.CORRECTION) or self.corrected,
             counterexample=texts.get(Subject.COUNTEREXAMPLE),
-            derivation=case.derivation,
             figure=case.figure,
         )
 

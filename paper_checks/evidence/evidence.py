@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
@@ -128,13 +128,22 @@ class Evidence:
 
 Steps = tuple[Evidence, ...]
 """Steps of a proof, in their order."""
+Named = Evidence | Sequence[Evidence] | Callable[[], Evidence | Sequence[Evidence]]
+"""How steps are named where others rest on them: themselves, or the function that returns them."""
 
 
-def argument(statement: str, *rests_on: Evidence, cites: tuple[str, ...] = ()) -> Evidence:
-    """Return a written inference: as good as what it rests on.
+def steps(*named: Named) -> Steps:
+    """Return the steps that are named, in their order."""
+    made = (one() if callable(one) else one for one in named)
+    return tuple(step for one in made for step in ((one,) if isinstance(one, Evidence) else one))
+
+
+def argument(statement: str, *named: Named, cites: tuple[str, ...] = ()) -> Evidence:
+    """Return a written inference: as good as the steps that it rests on.
 
     Raises ValueError where it rests on nothing and cites nothing.
     """
+    rests_on = steps(*named)
     if not (rests_on or cites):
         raise ValueError(f"an argument rests on steps, or cites a theorem: {statement}")
     outcomes = {step.passed for step in rests_on if not step.supports}

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, Subject, closure
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Named, Steps, Subject, closure, steps
 
 
 class Verdict(Enum):
@@ -39,9 +39,9 @@ class Carried:
     steps: Steps
 
 
-def carried(clause: str, *steps: Evidence) -> Carried:
+def carried(clause: str, *named: Named) -> Carried:
     """Return that these steps carry the clause: each states it, or a part of it, as it stands; without steps its formulas do."""
-    return Carried(clause, steps)
+    return Carried(clause, steps(*named))
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,6 @@ class Finding:
     evidence: Steps = ()
     corrected: str | None = None
     counterexample: str | None = None
-    derivation: tuple[str, ...] = ()
     figure: str | None = None
     missing: str | None = None
     """What is missing for a proof; required where the verdict is undecided or unchecked."""
@@ -114,7 +113,6 @@ def conclude(
     *parts: Evidence | Carried,
     corrected: str | None = None,
     counterexample: str | None = None,
-    derivation: tuple[str, ...] = (),
     figure: str | None = None,
     missing: str | None = None,
 ) -> Finding:
@@ -124,7 +122,7 @@ def conclude(
     """
     of_clauses = tuple(part for part in parts if isinstance(part, Carried))
     steps = (step for part in parts for step in (part.steps if isinstance(part, Carried) else (part,)))
-    evidence, extras = closure(steps), (corrected, counterexample, derivation, figure)
+    evidence, extras = closure(steps), (corrected, counterexample, figure)
     try:
         return Finding(verdict, reason, evidence, *extras, missing, of_clauses)
     except InvalidFindingError as objection:

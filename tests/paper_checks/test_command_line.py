@@ -10,7 +10,7 @@ from planted_trades import MACHINE, planted
 import numerics.trade.recorded as recorded_module
 import paper_checks.__main__ as command_line
 import paper_checks.claims as claims_module
-import paper_checks.report.output.parts as parts_module
+import paper_checks.report.output.pictures as pictures_module
 from numerics.trade.recorded import recorded
 from paper_checks.__main__ import main
 from paper_checks.claims import CLAIMS
@@ -26,10 +26,9 @@ def small(monkeypatch, tmp_path_factory, rows, figures):
     shipped = planted(tmp_path_factory.mktemp("shipped"), machine=machine)
     monkeypatch.setattr(recorded_module, "recorded", lambda path=None: recorded(path) if path else shipped)
     monkeypatch.setattr(under_a_force, "section", lambda: Section("under-a-force", "Under a force", ()))
-    monkeypatch.setattr(under_a_force, "figures", dict)
     monkeypatch.setattr(euler_lessons, "blocks", tuple)
     monkeypatch.setattr(claims_module, "CLAIMS", tuple(row.claim for row in rows))
-    monkeypatch.setattr(parts_module, "FIGURES", figures)
+    monkeypatch.setattr(pictures_module, "FIGURES", figures)
 
 
 @pytest.mark.parametrize(

@@ -1,15 +1,11 @@
 """The cheapest transfer of body 2 from rest to rest: least energy and least work while stuck, and what slipping can gain."""
 
-from functools import cache
-
 from paper_checks.claims.beyond import transfers
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from theory import cheapest, forced
+from theory import cheapest
 from theory.cheapest import beyond, height, mu, nu, once, rate, twice, weight
-from theory.energy import energy, sigma
-from theory.filippov import half_width
+from theory.energy import energy
 from theory.forced_control import angle, duration, path, r_acceleration, r_place, r_speed, strongest, stuck_force
 from theory.scaling import stick_frequency
 
@@ -33,8 +29,8 @@ def certificate() -> Evidence:
             weight * stuck_force(),
             cheapest.misfit() * r_acceleration + cheapest.along(cheapest.gathered()),
         ),
-        transfers.gentle(),
-        transfers.stuck_force(),
+        transfers.gentle,
+        transfers.stuck_force,
     )
 
 
@@ -53,7 +49,7 @@ def only_one() -> Evidence:
         $\int u^2=\int u_*^2+2\int u_*(u-u_*)+\int(u-u_*)^2$. Where $\rho=0$, also $\ddot\rho=0$, which is the equation of
         $u_*$; where that holds from $0$ to $T$, suitable $\mu,\nu$ make $\rho=0$.
         """,
-        certificate(),
+        certificate,
         cites=("Lagrange multipliers of a convex program under the condition of Slater",),
     )
 
@@ -72,7 +68,7 @@ def least_work() -> Evidence:
             r_speed * stuck_force(),
             a1 * r_speed**2 + cheapest.along((total_mass() * r_speed**2 + a2 * r_place**2) / 2),
         ),
-        transfers.gentle(),
+        transfers.gentle,
     )
 
 
@@ -90,7 +86,7 @@ def with_slip() -> Evidence:
         $\int u^2=\int u_*^2+2\int\kappa\,\dot z+\int(u-u_*)^2$, the last term quadratic in $z$. Such a $\dot z$ is $0$ where
         $|\dot v_2|<b/m_2$ and else has the sign of $\dot v_2$; any smooth one with that sign is possible.
         """,
-        only_one(),
+        only_one,
         identity(
             r"$w(m_1\ddot z+a_1\dot z+a_2z)=\kappa\dot z+\frac{\mathrm d}{\mathrm dt}[m_1w\dot z-a_2Sz]$",
             weight * cheapest.slip_force(),
@@ -122,7 +118,7 @@ def far_away() -> Evidence:
             stuck_force().subs(r_acceleration, -strongest()),
             a2 * (r_place - half_width()) + a1 * r_speed,
         ),
-        transfers.gentle(),
+        transfers.gentle,
     )
 
 
@@ -144,7 +140,7 @@ def for_all() -> Evidence:
             ),
             u * v1 - a1 * v1**2 - b * sigma * (v1 - v2),
         ),
-        transfers.gentle(),
+        transfers.gentle,
     )
 
 
@@ -248,13 +244,13 @@ def cheapest_transfer() -> Case:
         problem is convex, and its multipliers prove the minimum. Slipping leaves this class. It gains nothing for certain motions,
         and much for far ones.
         """,
-        carried("bound", certificate()),
-        carried("least", only_one()),
-        carried("undamped", only_one()),
-        carried("work", least_work()),
-        carried("slip", with_slip()),
-        carried("far", far_away()),
-        carried("all", for_all()),
+        carried("bound", certificate),
+        carried("least", only_one),
+        carried("undamped", only_one),
+        carried("work", least_work),
+        carried("slip", with_slip),
+        carried("far", far_away),
+        carried("all", for_all),
         carried(
             "peak",
             argument(
@@ -262,7 +258,7 @@ def cheapest_transfer() -> Case:
                 Under a force with $|u|\leqslant U$ the pair sticks until $T_w<\pi/\Omega$, and does not arrive before it: so the bound
                 while stuck is one for each force of at most the peak $U$ that arrives by then.
                 """,
-                certificate(),
+                certificate,
                 *map(kernel.step, ("weak-sticks", "weak-takes", "weak-attained")),
             ),
         ),

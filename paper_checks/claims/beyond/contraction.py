@@ -1,14 +1,8 @@
 """Two motions under one force never move apart: uniqueness, other forces, a friction that changes with time."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.section_3 import filippov
 from paper_checks.claims.words import *
-from theory import forced
-from theory.energy import contraction_rate, sigma, sigma_other
-from theory.model import slip, stick
+from theory.energy import contraction_rate
 
 
 @cache
@@ -49,9 +43,9 @@ def never_apart() -> Evidence:
     """The distance of two solutions never grows."""
     return argument(
         r"The damper's term is minus a square and the friction's is never positive, so $N$ does not grow.",
-        force_cancels(),
-        filippov.contraction(),
-        filippov.never_apart(),
+        force_cancels,
+        filippov.contraction,
+        filippov.never_apart,
     )
 
 
@@ -60,8 +54,8 @@ def one_solution() -> Evidence:
     """Existence by Filippov, uniqueness by the distance."""
     return argument(
         r"The set-valued right side is bounded on bounded sets, convex and closed, and measurable in time: there is a solution. Two from the same initial state have the distance $0$ at all later times.",
-        same_modes(),
-        never_apart(),
+        same_modes,
+        never_apart,
         cites=("Filippov's theorem on existence",),
     )
 
@@ -74,7 +68,7 @@ def forces_apart() -> Evidence:
     squared = forced.distance_squared().subs(letters)
     return argument(
         r"$N\dot N\leqslant(u-\tilde u)(v_1-\tilde v_1)\leqslant|u-\tilde u|\,N/\sqrt{m_1}$; integrate.",
-        never_apart(),
+        never_apart,
         identity(
             r"two forces add the work of their difference to $\tfrac12\frac{d}{dt}N^2$",
             work.subs(forced.u_other, 0).subs(u, Symbol("f", real=True)),
@@ -158,5 +152,5 @@ def forced_contraction() -> Case:
     """The force cancels in the distance of two solutions."""
     return because(
         "Under any force the flow is non-expansive in the energy norm: the force cancels in the difference of two motions. Friction that depends on position would not cancel: the friction of one solution is then not a monotone function of its own relative velocity alone.",
-        carried("rate", filippov.never_apart()),
+        carried("rate", filippov.never_apart),
     )

@@ -1,14 +1,9 @@
 """What a force can make body 2 do: follow a reference, go from rest to rest in the least time."""
 
-import sympy as sp
-
 from paper_checks.claims.beyond import transfers
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
-from theory import forced
 from theory import forced_control as control
-from theory.energy import sigma
-from theory.filippov import load_threshold
 from theory.forced_control import angle, duration, path, strength, velocity_gain
 from theory.scaling import stick_frequency
 
@@ -61,7 +56,7 @@ def one_active_one_passive() -> Case:
                 [diff(entry, u) * mass for entry, mass in zip(field, (1, m1, 1), strict=True)],
                 [0, 1, 0],
             ),
-            transfers.gentle(),
+            transfers.gentle,
         ),
         reading(
             "active",
@@ -147,7 +142,7 @@ def trackable_references() -> Case:
     """Friction is the only force on body 2."""
     return because(
         "Body 2 can follow exactly the references that require no more force than the interface can transmit. A pair that sticks follows each of them, under an explicit force.",
-        carried("force", transfers.stuck_force()),
+        carried("force", transfers.stuck_force),
     )
 
 
@@ -261,7 +256,6 @@ def minimum_transfer_time() -> Case:
     """A bound for every control, and what attaining it costs."""
     return because(
         "The minimum time is set by the interface alone, whatever the force. The force amplitude needed is another matter: if body 1 slips ahead of body 2 in the first half, and both have the same velocity at half time, less is needed than if the pair sticks all the way.",
-        transfers.gentle(),
-        transfers.stuck_force(),
-        derivation=(r"$$g(t_{1/2}+s)-2g(s)\leqslant g(t_{1/2})-g(s)\leqslant g(t_{1/2})\,(1-s/t_{1/2}).$$",),
+        transfers.gentle,
+        transfers.stuck_force,
     )

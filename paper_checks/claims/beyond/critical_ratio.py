@@ -1,13 +1,8 @@
 """The mass ratio from which on no motion merges slightly above the critical energy."""
 
-from fractions import Fraction
-from functools import cache
-
-from flint import arb
-
 from paper_checks.claims.beyond.excursions import vanishes
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import point, precision, shown
+from paper_checks.decide.balls import shown
 from paper_checks.decide.roots import enclosed_root
 from theory.excursion import angle
 from theory.merging import (
@@ -150,7 +145,7 @@ def _critical_ratio() -> arb:
             lambda: {ANGLE: angle},
         ),
         ratio=equal(r"\mu^*", -cos(2 * ANGLE), critical_mass_ratio, lambda: {ANGLE: angle}),
-        digits=Formula(r"\mu^*", "=...", Rational("0.79263"), decimal(_critical_ratio)),
+        digits=decimal(r"\mu^*", "0.79263", _critical_ratio),
         kernel="turning-point critical-mass-ratio-digits",
     ),
     clause(
@@ -180,23 +175,6 @@ def mass_ratio() -> Case:
         equality at one slip from the ray. As $w'$ falls with $r$, it is positive after every slip from $S$ for $r<r^*$,
         and negative after that one for $r>r^*$.
         """,
-        *one_turning_point(),
-        derivation=(
-            r"""
-            $$\varphi^*-\sin\varphi^*\cos\varphi^*=\sqrt2\,(\sin\varphi^*-\varphi^*\cos\varphi^*),\qquad
-            r^*=\frac{1}{2\sin^2\varphi^*},\qquad \frac{m_1}{m_2}=-\cos 2\varphi^*.$$
-            """,
-            r"""
-            The minimum over $T$ touches zero at $\theta^*$ with a horizontal tangent: $(\varphi^*,T=1-C)$ is a
-            critical point of $w'$ in both variables, so a sign of the derivative there would prove nothing; its
-            factors $1-2r\sin^2\varphi$ and $\varphi-r(\varphi-\sin\varphi\cos\varphi)$ do.
-            """,
-            "At $r=r^*$ itself one energy merges by its first slip: from $w=q\\,h(\\theta^*)^2$ on a ray the pair lands on $E=E_{cr}$ inside $S_0$. Others reach that $w$ after some slips.",
-            r"""
-            So for $r<r^*$ a trajectory in the whole state space merges exactly if $E\leqslant E_{cr}$ where it first
-            meets $S$; it then sticks there permanently. Otherwise it sticks up to a ray or slips on from $S$, with
-            $E>E_{cr}$ after each slip, and tends to $E_{cr}$ by the dichotomy.
-            """,
-        ),
+        one_turning_point,
         figure="merging-window",
     )

@@ -1,23 +1,14 @@
 """A damper on body 1: the time T from which the pair sticks permanently, and R from which it rests, against a1."""
 
-from functools import cache
-
-import sympy as sp
-from flint import arb
-
-from numerics.linear.modes import Mode
 from paper_checks.claims.beyond.contraction import forces_apart
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.section_3 import energy
 from paper_checks.claims.section_3.convergence import contact_again
 from paper_checks.claims.section_5.points import EXAMPLE_PAIR, scene_at
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.deciders import decimal
-from paper_checks.decide.enclosure import solved, stuck_for_ever
-from theory.energy import critical_energy, slip_rate
 from theory.energy import energy as stored
-from theory.filippov import load, load_threshold, sliding_field
+from theory.energy import slip_rate
+from theory.filippov import load
 from theory.near_critical import rate_constant
 
 TIME, ROOT, REACH, WITHIN, SWING = symbols("T s X d Omega", positive=True)
@@ -36,13 +27,13 @@ def sticks_from(point: dict[Symbol, Rational | int], damper: str) -> arb:
 
 def lasts(damper: str, digits: str) -> Formula:
     """Return T for the start of Fig. 5 (a), enclosed, as a decimal fraction that goes on."""
-    return Formula(f"T({damper})", "=...", Rational(digits), decimal(lambda: sticks_from(FIGURE, damper)))
+    return decimal(f"T({damper})", digits, lambda: sticks_from(FIGURE, damper))
 
 
 def growth() -> Formula:
     """Return the limit of sqrt(a1) T as a1 -> 0."""
     value = pi ** Rational(3, 2) / 3 * sqrt(m1 * MASS / (m2 * SWING))
-    return Formula(sqrt(a1) * TIME, "->", value, equals(_growth, lambda: {SWING: sqrt(a2 / MASS)}))
+    return tends(sqrt(a1) * TIME, value, _growth, lambda: {SWING: sqrt(a2 / MASS)})
 
 
 def _growth() -> Expr:
@@ -71,10 +62,10 @@ def slows() -> Evidence:
         has that with a small $a_1$, below the captive level: it sticks from its next contact on.
         """,
         kernel.step("sharp-law"),
-        forces_apart(),
-        energy.captive_margin(),
-        energy.captive_level(),
-        contact_again(),
+        forces_apart,
+        energy.captive_margin,
+        energy.captive_level,
+        contact_again,
     )
 
 
@@ -96,7 +87,7 @@ def stops() -> Formula:
         rest = sp.solve(left.subs(ROOT, sqrt(REACH)), REACH)[0]
         return m2 * Abs(v2) / b - sqrt(rest)
 
-    return Formula("R", "->", m2 / b * (Abs(v2) - sqrt(a2 * (WITHIN**2 - x1**2) / m2)), equals(derived))
+    return tends("R", m2 / b * (Abs(v2) - sqrt(a2 * (WITHIN**2 - x1**2) / m2)), derived)
 
 
 @cache
@@ -110,10 +101,10 @@ def passes_once() -> Evidence:
         $b/m_2$ to $0$; the pair then sticks, $x_1$ has the slow rate $\frac{a_2}{a_1}(1+O(a_1^{-2}))$, and
         $E=\frac12a_2x_1^2(1+O(a_1^{-2}))$.
         """,
-        energy.energy_rate(),
-        forces_apart(),
+        energy.energy_rate,
+        forces_apart,
         kernel.step("heavy-damping"),
-        decays(),
+        decays,
     )
 
 
@@ -198,7 +189,7 @@ def synchronisation_against_damping() -> Case:
             exhibit("with $a_1=0$ it slips at once", {**STUCK, a1: 0}, (pull, ">", load_threshold())),
             exhibit("and with $a_1=7$", {**STUCK, a1: 7}, (pull, ">", load_threshold())),
         ),
-        carried("light", slows()),
+        carried("light", slows),
         carried(
             "heavy",
             kernel.step("heavy-damping"),
@@ -208,10 +199,10 @@ def synchronisation_against_damping() -> Case:
                 if $v>0$ the stuck pair goes on by at least $m_2v^2/(2b)$, while $|x_1|\leqslant X$: $v^2\leqslant
                 4bX/m_2=4s^2$.
                 """,
-                energy.energy_never_grows(),
+                energy.energy_never_grows,
             ),
         ),
-        carried("rest", passes_once()),
+        carried("rest", passes_once),
         carried(
             "critical",
             argument(
@@ -220,7 +211,7 @@ def synchronisation_against_damping() -> Case:
                 is $0$, or all is. Of two rates with the product $a_2/M$ the smaller real part is at most $\sqrt{a_2/M}$, and that
                 only where they are equal.
                 """,
-                decays(),
+                decays,
             ),
         ),
     )

@@ -1,22 +1,13 @@
 """A periodic force: when the pair sticks for ever, stops twice a period, or never."""
 
-from functools import cache
-
-import sympy as sp
-from flint import arb
-
-from numerics.scene import Force, Pair, Scene, State
 from paper_checks.claims.beyond.forced_modes import strict_rule
 from paper_checks.claims.beyond.response import natural_frequency, one_response
 from paper_checks.claims.beyond.stuck import tends_to_stuck, undamped_stuck
 from paper_checks.claims.beyond.two_stops import beside_thresholds, near_first, near_last, only_one
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from theory import forced
 from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing
 from theory.fraction import in_lowest_terms
-from theory.model import slip
 from theory.scaling import stick_frequency
 
 
@@ -68,16 +59,16 @@ def non_stop() -> Evidence:
         $(c_*-c)\,\omega\sin\omega t\geqslant 0$, so it stays positive up to the next turn if it is at $U_{**}$, and
         then it is a motion by symmetry. With $a_1>0$ the response is the only one and attracts all.
         """,
-        square_wave(),
-        load_positive(),
+        square_wave,
+        load_positive,
         identity(r"$v_1=v_2$ at the turn", speed, lowest),
         identity(
             r"$\Lambda=b$ there",
             m1 * omega**2 * out_of_phase,
             a2 * b * response.square_place + a1 * b * response.square_speed - b * total_mass() / m2,
         ),
-        one_response(),
-        strict_rule(),
+        one_response,
+        strict_rule,
     )
 
 
@@ -95,8 +86,8 @@ def below_non_stop() -> Evidence:
         which needs $U\geqslant U_{**}$ whatever $\dot z$ does at $U_{**}$. For a motion of the period $T$ itself this
         is the kernel's theorem, whose condition $A>0$ is $-c_*>0$.
         """,
-        square_wave(),
-        non_stop(),
+        square_wave,
+        non_stop,
         kernel.step("nonstop-by-halves-needs"),
     )
 
@@ -117,8 +108,8 @@ def over_damped() -> Evidence:
             r"$\cos(i\nu)=\cosh\nu$ and $\sin(i\nu)/(i\nu)=\sinh(\nu)/\nu$",
             [cos(sp.I * nu) - sp.cosh(nu), sin(sp.I * nu) / (sp.I * nu) - sp.sinh(nu) / nu],
         ),
-        non_stop(),
-        below_non_stop(),
+        non_stop,
+        below_non_stop,
         kernel.step("nonstop-overdamped"),
     )
 
@@ -145,7 +136,7 @@ def two_ends() -> Evidence:
             response.two_stop_conditions()[2],
             -2 * (response.exit_speed + pi * b / (2 * m2 * omega)),
         ),
-        non_stop(),
+        non_stop,
     )
 
 
@@ -170,7 +161,7 @@ def six_turns() -> Evidence:
     """A motion that never stops, at an amplitude far below U**."""
     from numerics.control.response import Regime, response
 
-    found = response(LIGHT, digits=8)
+    found = response(LIGHT, digits=4)
     turns = [leg.side for leg in found.orbit.legs] if found.orbit else []
     return enclosed(
         "the periodic motion of that pair slips in each of its six modes, with signs in turn",
@@ -299,7 +290,7 @@ def _above_six_turns() -> arb:
         $\omega=10$, with «threshold» N, every motion tends at $U=1$ N to one that never stops and turns six times in
         each period: so none of this period has two stops.
         """,
-        threshold=Formula("U_{**}", "=...", Rational("5.1814"), decimal(_above_six_turns)),
+        threshold=decimal("U_{**}", "5.1814", _above_six_turns),
     ),
     clause(
         "non-stop-undamped",
@@ -373,16 +364,13 @@ def entrainment_threshold() -> Case:
     """Stuck, two stops, and no stop."""
     return because(
         "The amplitude up to which the pair can stick permanently has a closed form, and so has that below which no motion of the force's period slips permanently with two reversals. Without a damper a stuck motion above the first one exists exactly where the stuck pair's own frequency is an odd multiple of the force's, from the third on.",
-        carried("undamped", undamped_stuck()),
-        carried("letters", square_wave()),
-        carried("below", below_non_stop()),
-        carried("over-damped", over_damped()),
-        carried("more-turns", six_turns(), one_response()),
-        carried("undamped-edge", tends_to_stuck()),
-        carried("two-ends", two_ends()),
-        carried("near-ends", near_first(), near_last(), beside_thresholds(0), beside_thresholds(1)),
-        carried("only-one", one_response(), only_one()),
-        derivation=(
-            r"$$\ddot x_1\propto\cos\varphi-\tfrac1n\sin\tfrac{\pi}{2n}\cos n\varphi,\qquad\max=\cos\tfrac{\pi}{2n}\ \text{at}\ \varphi=\pm\tfrac{\pi}{2n}.$$",
-        ),
+        carried("undamped", undamped_stuck),
+        carried("letters", square_wave),
+        carried("below", below_non_stop),
+        carried("over-damped", over_damped),
+        carried("more-turns", six_turns, one_response),
+        carried("undamped-edge", tends_to_stuck),
+        carried("two-ends", two_ends),
+        carried("near-ends", near_first, near_last, beside_thresholds(0), beside_thresholds(1)),
+        carried("only-one", one_response, only_one),
     )

@@ -1,23 +1,12 @@
 """How far forward Euler is from the motion, whatever it takes for the sign at rest; and which steps show Fig. 5 (a)."""
 
-from dataclasses import replace
-from fractions import Fraction
-
-from flint import arb
-
-from numerics.linear.modes import Mode
-from numerics.scene.file import load_scene
 from numerics.trajectory.events import Segment
 from paper_checks.claims.beyond.contraction import never_apart
 from paper_checks.claims.beyond.static_friction import slip_rate
 from paper_checks.claims.section_4.starts import time
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.balls import point
-from paper_checks.decide.enclosure import compare, solved
 from paper_checks.decide.euler_in_balls import euler_in_balls
 from paper_checks.decide.euler_in_balls import run as run_euler
-from theory.model import slip
 
 SHOWS, LATEST = Fraction(2, 10**5), Fraction(1, 100)
 """A step (s) up to which Fig. 5 (a) is right, and by how much (s) its first adhesion is off then at most."""
@@ -42,7 +31,7 @@ def local_error() -> Evidence:
             [diff(squared, x1) * v1 + diff(squared, v1) * rate, a2 * rate**2 + m1 * (diff(rate, x1) * v1) ** 2],
             [0, a2 / m1 * squared],
         ),
-        never_apart(),
+        never_apart,
     )
 
 
@@ -99,8 +88,8 @@ def shows_adhesion(step: Fraction = SHOWS) -> Evidence:
                 ">",
                 relative,
             ),
-            slip_rate(),
-            local_error(),
+            slip_rate,
+            local_error,
         )
 
 
@@ -173,7 +162,7 @@ def euler_error() -> Case:
         the distance of two motions, but a step of Euler uses the friction and the forces at its beginning. Near $\dot z=0$
         that friction is off by up to $2b$, however small the step.
         """,
-        slip_rate(),
-        carried("turn", local_error()),
-        carried("fig-5a", shows_adhesion(), *_tried()),
+        slip_rate,
+        carried("turn", local_error),
+        carried("fig-5a", shows_adhesion, _tried),
     )

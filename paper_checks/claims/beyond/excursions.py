@@ -1,23 +1,16 @@
 """Slips from a ray near the critical energy: they end inside $S_0$, and lose energy like $1/t$."""
 
-from fractions import Fraction
-from functools import cache
 from itertools import islice
-
-from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
-from numerics.scene import Pair
 from paper_checks.claims.section_3 import capture
 from paper_checks.claims.section_3.capture import mirror_image
 from paper_checks.claims.section_3.convergence import merges_or_creeps
 from paper_checks.claims.words import *
-from theory.energy import critical_energy
 from theory.excursion import angle, excursion, guard_of_u, h, h_limits, h_slope, half_angle_slope, half_tangent_form
 from theory.near_critical import cycle_limit, inverse_step, quadratic_coefficient, rate_constant
-from theory.power_series import taylor
 from theory.rate_bounds import no_merging_excess
 from theory.return_map import (
     depth,
@@ -160,10 +153,10 @@ def creeps_for_ever() -> Evidence:
         ends inside $S_0$ with $0<w'<w$, by induction without end; so $E>E_{cr}$ permanently, and the trajectory tends
         to the critical orbit.
         """,
-        *capture.leaves_above_critical(),
-        *angle_of_excursion(),
-        *never_merges(),
-        merges_or_creeps(),
+        capture.leaves_above_critical,
+        angle_of_excursion,
+        never_merges,
+        merges_or_creeps,
     )
 
 
@@ -181,7 +174,7 @@ def sharp_limit() -> Evidence:
         tends to their quotient; between two exits $w$ lies between its values there, whose ratio tends to 1, as does
         that of the times.
         """,
-        creeps_for_ever(),
+        creeps_for_ever,
         identity("$1/w'-1/w\\to 9r/(4q)$ as $w\\to 0$", inverse_step(), 9 * r / (4 * q)),
         identity("equivalently $w'=w-\\tfrac{9r}{4q}w^2+\\dots$", quadratic_coefficient(), 9 * r / (4 * q)),
         identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), pi),
@@ -205,5 +198,5 @@ def two_sided() -> Evidence:
         ray, at most half a period, depends on the start: over these times the bounds are attained, so they depend on
         $E(0)$ and $t_0$ alone.
         """,
-        sharp_limit(),
+        sharp_limit,
     )

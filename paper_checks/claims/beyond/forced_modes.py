@@ -1,16 +1,9 @@
 """Stick or slip under a force: the rule of modes, its ties, and why modes do not alternate without end."""
 
-from collections.abc import Callable
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.beyond.contraction import one_solution
 from paper_checks.claims.letters import S, either_sign
 from paper_checks.claims.words import *
-from theory import forced
 from theory.forced import U_RATES
-from theory.model import slip
 
 NEEDED = Symbol("P", real=True)
 """The load, N, as a letter for the solvers."""
@@ -95,9 +88,9 @@ def leading_term() -> Evidence:
         on both sides of $0$. So $\Lambda-sb=(m_2/M)\,p\,(1+O(t))$ has the sign of $p$ near $0$, and in slip $\dot
         z=\dot\eta=c\,t^{k+1}(1+O(t))/((k+1)m_1)$.
         """,
-        deviation(),
-        excess(),
-        relative_is_deviation(),
+        deviation,
+        excess,
+        relative_is_deviation,
         identity(r"$\frac{d}{dt}\frac{c\,t^{k+1}}{I(k+1)}=\frac{c\,t^k}{I}$", diff(rate, t), c * t**k / inertia),
         cites=("Gronwall's inequality",),
     )
@@ -112,10 +105,10 @@ def strict_rule() -> Evidence:
         z>0$ for a while, so it is a solution; where $|\Lambda|<b$ stick meets its condition for a while. There is one
         solution, so it is this one.
         """,
-        slips_beyond(),
-        sticks_within(),
-        slip_rates(),
-        one_solution(),
+        slips_beyond,
+        sticks_within,
+        slip_rates,
+        one_solution,
     )
 
 
@@ -128,8 +121,8 @@ def tie_rule() -> Evidence:
         solution. If it is negative, stick has $s\Lambda<b$ right after, and is one. There is one solution, so it is
         this one.
         """,
-        leading_term(),
-        one_solution(),
+        leading_term,
+        one_solution,
     )
 
 
@@ -138,9 +131,9 @@ def marginal_rule() -> Evidence:
     """All derivatives zero: p = 0 for a while, so y = 0 in both modes."""
     return argument(
         r"An analytic $p$ with all derivatives zero is zero for a while. Then $\eta=0$ in both modes: both have $x_1=r$, $\dot z=0$ and $\Lambda=sb$.",
-        deviation(),
-        excess(),
-        relative_is_deviation(),
+        deviation,
+        excess,
+        relative_is_deviation,
     )
 
 
@@ -161,10 +154,10 @@ def finitely_many_events() -> Evidence:
         of $b$, so $\Lambda/b$ has a limit: where that is not $\pm 1$ it is as where $|\Lambda(0)|\neq b$, where it is
         $s$ as where $\Lambda(0)=sb$.
         """,
-        leading_term(),
-        marginal_rule(),
-        strict_rule(),
-        tie_rule(),
+        leading_term,
+        marginal_rule,
+        strict_rule,
+        tie_rule,
     )
 
 
@@ -244,10 +237,7 @@ def forced_mode_rule() -> Case:
         the friction limit, slip and stick agree to second order, and the first derivative in which the force departs
         from their common motion decides.
         """,
-        slip_rates(),
-        derivation=(
-            r"$$I\ddot\eta+a_1\dot\eta+a_2\eta=p(t),\qquad \Lambda-sb=\frac{m_2}{M}\,(p-a_1\dot\eta-a_2\eta).$$",
-        ),
+        slip_rates,
     )
 
 
@@ -293,5 +283,5 @@ def forced_no_zeno() -> Case:
     return because(
         "Under a piecewise analytic force no motion is Zeno: what decides a tie for the time after it decides it for the time before it too, so close to any instant the load stays on one side of each edge.",
         carried("deviation"),
-        carried("finite-friction", finitely_many_events()),
+        carried("finite-friction", finitely_many_events),
     )

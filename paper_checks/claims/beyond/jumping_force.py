@@ -1,15 +1,8 @@
 """A continuum of periodic motions under one force that jumps, without a damper."""
 
-from fractions import Fraction
-from functools import cache
-
-import sympy as sp
-
-from numerics.linear.modes import Mode
-from numerics.scene import Force, Pair, Piece, Scene, State
+from numerics.scene import Piece
 from paper_checks.claims.beyond.forced_modes import slip_rates, strict_rule
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved
 from theory import jumping_force as jump
 
 HALF_PI = pi / 2
@@ -87,9 +80,9 @@ def sticks() -> Evidence:
             jump.stick_time() / sqrt(2),
             2 * sp.atan(sqrt(2)),
         ),
-        slips(),
-        slip_rates(),
-        strict_rule(),
+        slips,
+        slip_rates,
+        strict_rule,
     )
 
 
@@ -108,14 +101,14 @@ def keeps_apart() -> Evidence:
     """Two members keep their distance for ever, so none attracts another."""
     return argument(
         r"Under a force with $u(t+H)=-u(t)$ the state after $H$ is always minus the state before, so each member has the period $2H$. Two of them have the same distance after each period, which is not $0$.",
-        returns(),
-        sticks(),
+        returns,
+        sticks,
         identity(
             r"that distance is $N=\sqrt 3\,|v-\tilde v|$ at the exit",
             jump.apart_squared(),
             3 * (jump.speed - jump.other_speed) ** 2,
         ),
-        *seen(),
+        seen,
     )
 
 

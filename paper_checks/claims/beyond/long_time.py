@@ -1,20 +1,12 @@
 """The next terms of the $1/t$ law: a logarithm, and one number that is left of the start."""
 
-from fractions import Fraction
-from functools import cache
-
-from flint import arb
-
 from numerics.arithmetic.ball import Ball
 from numerics.free.energy import energy_at
-from numerics.linear.modes import Mode
-from numerics.scene import Pair, Scene, State
 from paper_checks.claims.beyond.rate import HALF, MOST
 from paper_checks.claims.beyond.return_map import coefficients, cycle_time
 from paper_checks.claims.beyond.uniform_rate import quotients
 from paper_checks.claims.letters import R, of_share
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
 from theory.long_time import (
     abel_defect,
     balanced_share,
@@ -131,17 +123,12 @@ def long_time_expansion() -> Case:
         errors are summable, as $y_n\sim\frac{1}{\alpha n}$, so $\pi A(y_n)-\tau_n$ tends to a number $K$, with the
         error $O(\tau^{-1/2})$ of the second tail. Solved for $y$ that is the expansion. Only $K$ depends on the start.
         """,
-        carried("expansion", kernel.step("long-time"), quotients()),
-        coefficients(),
-        *cycle_time(),
-        *expansion(),
+        carried("expansion", kernel.step("long-time"), quotients),
+        coefficients,
+        cycle_time,
+        expansion,
         carried("balanced"),
         constant_found_again(HALF, Fraction(3, 2)),
         constant_found_again(HALF, Fraction(11, 10)),
         constant_found_again(MOST, Fraction(3, 2)),
-        derivation=(
-            "$$\\frac{E-E_{cr}}{E_{cr}}=\\frac{C}{\\tau}\\Bigl(1-\\frac{\\pi B\\ln(\\alpha\\tau/\\pi)+K}{\\tau}+O(\\tau^{-3/2})\\Bigr)$$",
-            "$E(0)$ enters at the order $\\tau^{-2}$ only, through $K$: two trajectories differ by $C\\,(K_2-K_1)/\\tau^2$ in $w$.",
-            "The error of $\\tau^{-1/2}$ in $K$ is $\\varepsilon=\\sqrt w$ to leading order: the next term of the time is $-\\varepsilon$.",
-        ),
     )

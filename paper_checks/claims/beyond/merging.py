@@ -1,14 +1,9 @@
 """Which energies merge at the first landing, and which after crossings."""
 
-from fractions import Fraction
-from functools import cache
-
-from flint import arb
-
 from paper_checks.claims.beyond.critical_ratio import depth, half_angle, rise, threshold
 from paper_checks.claims.letters import C, H, R, in_angle
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import point, precision, shown
+from paper_checks.decide.balls import shown
 from paper_checks.decide.roots import enclosed_root
 from theory.return_map import return_map_of_angle
 
@@ -109,24 +104,7 @@ def merging_set() -> Case:
         monotone on both sides the roots are continuous in $r$ up to $r=1$. A pair that crosses $S$ does so in long and
         short slips in turn, and its re-entry, at the end of a short one, is above $E_{cr}$.
         """,
-        windows(),
-        *threshold(),
-        derivation=(
-            r"""
-            $$\text{merges at the first re-entry}\iff q\,h(\theta_a)^2\leqslant w\leqslant q\,h(\theta_b)^2,\qquad
-            h(\theta_{a,b})=\sqrt r\,c(\theta_{a,b}).$$
-            """,
-            '"Slightly higher than $E_{cr}$" is thus sharp: below $w_a=q\\,h(\\theta_a)^2$ nothing on $S_0$ merges, at $w_a$ it does.',
-            r"""
-            At the ends $E=E_{cr}$: the landing is in $S_0$, so $\theta_b\leqslant\theta_c$. Between $\theta_b$ and
-            $\theta_c$ the pair leaves $S_0$ again with a smaller $w$; beyond $\theta_c$ it slips on from $S$, and its
-            first re-entry is above $E_{cr}$.
-            """,
-            r"""
-            With $k=\cot(\theta/2)$, $D=d+c$, $e=D-2/q$: $$\nu'=h+kD,\qquad
-            \nu'-\kappa_ce=(h+2k/q)+(k-\kappa_c)\,e,\qquad w'/q=h^2-2(1-hk)D+(k^2+q)D^2.$$
-            """,
-            "For $m_1/m_2\\to 0$ all of $[w_a,w_b]$ shrinks to $0$ like $q$; for $m_1/m_2>-\\cos\\theta^*$ it is empty.",
-        ),
+        windows,
+        threshold,
         figure="merging-interval",
     )

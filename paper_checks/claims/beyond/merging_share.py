@@ -2,30 +2,19 @@
 
 import math
 import random
-from dataclasses import replace
-from fractions import Fraction
-from functools import cache
 
 import numpy as np
-from flint import arb
 
-from numerics.linear.modes import EventKind
-from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
-from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.letters import R
 from paper_checks.claims.section_3.capture import stays_below_critical
 from paper_checks.claims.section_3.convergence import contact_again, stays_stuck
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.balls import point, precision
 from theory.merging_share import density, dissipation, divergence, flux, large_energy_limit, level, relative, sphere
 from theory.symbols import r as share_of_q
 
 MERGES, CREEPS = "merges", "creeps"
-SPEEDS = tuple(Fraction(n, 20) for n in range(21, 421))
-"""Speeds on S0 at x1 = 0, in units of L Omega, that are drawn: w = V^2 - 1."""
 WITNESSES = {
     Fraction(
         3, 5
@@ -37,7 +26,7 @@ WITNESSES = {
         4, 5
     ): "1.05 2.15 3.25 4.35 5.45 6.55 7.65 8.75 9.85 11.05 12.15 13.25 14.35 15.45 16.55 17.75 18.85 19.95",
 }
-"""By the share m2/M: some of these speeds, those that never merge and those that do in turn, seen in float64 and proved here."""
+"""By the share m2/M: speeds on S0 at x1 = 0, in units of L Omega (w = V^2 - 1), that never merge and that do in turn."""
 
 
 UNTIL = 150
@@ -107,8 +96,8 @@ def exact_share() -> Evidence:
         that it comes from have the measure of the flux through $S$ over the rate at which $E$ is passed; both
         half-spaces are mirror images.
         """,
-        contact_again(),
-        stays_below_critical(),
+        contact_again,
+        stays_below_critical,
         kernel.step("no-low-level"),
         kernel.step("heavy-never-merges"),
         identity("the flow of slip preserves volume: its divergence is 0", divergence()),
@@ -138,9 +127,9 @@ def just_above() -> Evidence:
         below $1+r\,\eta^2/(2K)$ to below $1$, and the pair merges. The states with $|V_1-V_2|<\eta$ are a share that
         tends to $0$ with $\eta$, uniformly up to $2E_{cr}$.
         """,
-        contact_again(),
-        stays_below_critical(),
-        stays_stuck(),
+        contact_again,
+        stays_below_critical,
+        stays_stuck,
         identity("$E/E_{cr}$ falls at the rate $2r\\,|V_1-V_2|$", dissipation(), 2 * r * relative),
     )
 
@@ -150,7 +139,7 @@ def limit() -> Evidence:
     """The share at large energies."""
     return argument(
         "Where the slip has the energy $E$, $X$ and $V_1$ are bounded, so $r\\,|V_1-V_2|^2/E\\to 1$ as $E\\to\\infty$, uniformly on the disc.",
-        exact_share(),
+        exact_share,
         identity("$E$ times the share tends to $\\frac{1}{2\\sqrt q}$", large_energy_limit(), 1 / (2 * sqrt(q))),
     )
 
@@ -270,7 +259,7 @@ def merging_bands() -> Case:
     clause(
         "limit",
         r"As $E$ grows, «limit», for $r\leqslant r^*$.",
-        limit=Formula(r"e\,\int f", "->", 1 / (2 * sqrt(q)), equals(large_energy_limit)),
+        limit=tends(r"e\,\int f", 1 / (2 * sqrt(q)), large_energy_limit),
     ),
 )
 def merging_share(seed: int) -> Case:
@@ -281,13 +270,10 @@ def merging_share(seed: int) -> Case:
         from $S_0$ there: up to $r^*$ the share of the states that merge is an integral over the disc of captive
         contacts, and falls like $1/E$.
         """,
-        carried("share", exact_share()),
-        carried("near", just_above()),
-        carried("limit", limit()),
+        carried("share", exact_share),
+        carried("near", just_above),
+        carried("limit", limit),
         random_states(Fraction(3, 10), Fraction(4), 250, seed),
         random_states(Fraction(1, 2), Fraction(3, 2), 250, seed),
-        derivation=(
-            "$$\\frac{1}{2\\pi\\sqrt{q\\,r\\,E}}\\int_{X^2+V^2\\leqslant 1}\\frac{1-X}{|V_1-V_2|_E}\\,dX\\,dV$$",
-        ),
         figure="merging-share",
     )

@@ -1,14 +1,8 @@
 """The $1/t$ law as a limit, and with explicit bounds from a stated time on."""
 
-from fractions import Fraction
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.letters import R, limit_of_energy, of_share
 from paper_checks.claims.words import *
 from theory.excursion import h
-from theory.power_series import taylor
 from theory.rate_bounds import cycle_times, elapsed, excess_bounds, first_angle, first_depth, first_excess, gains
 from theory.return_map import depth as depth_of_angle
 from theory.return_map import depth_series, in_trigonometry
@@ -58,7 +52,7 @@ def sharp_rate_constant() -> Case:
         Cesàro $1/(\Omega t\,w)\to\frac{9r}{4\pi q}$ along the exits, and as $w_{k+1}/w_k$ and $t_{k+1}/t_k$ tend to
         1, in $t$.
         """,
-        depth_over_excess(),
+        depth_over_excess,
         figure="sharp-rate",
     )
 
@@ -108,12 +102,7 @@ def rate_bounds_explicit() -> Case:
         falls with $y$ from $\tfrac{3}{2}$ and $c^2/y$ rises, so $1/y$ gains between $a'$ and $A$ per excursion; a cycle
         lasts between $T_-$ and $T_+$; and between two exits $w$ lies between its values there.
         """,
-        depth_over_excess(),
-        one_step(),
-        derivation=(
-            "$$\\frac{1}{y_0}+n\\,a'\\leqslant\\frac{1}{y_n}\\leqslant\\frac{1}{y_0}+n\\,A,\\qquad n\\,T_-\\leqslant\\tau_n-\\tau_0\\leqslant n\\,T_+.$$",
-            "For $\\tau_n\\leqslant\\tau<\\tau_{n+1}$, $s=\\tau-\\tau_0$: $n>s/T_+-1$ and $n+1\\leqslant s/T_-+1$, with $w_{n+1}\\leqslant w\\leqslant w_n$.",
-            "As $y_0\\to 0$ both $a'$ and $A$ tend to $\\tfrac{9}{4}r$ and both $T_\\pm$ to $\\pi$: the bounds converge to the sharp constant.",
-        ),
+        depth_over_excess,
+        one_step,
         figure="rate-bounds",
     )

@@ -1,17 +1,11 @@
 """The response to a periodic force: the one that attracts, and what moves body 2 on."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.beyond import jumping_force
 from paper_checks.claims.beyond.contraction import force_cancels, never_apart, one_solution
 from paper_checks.claims.beyond.forced_modes import strict_rule, tie_rule
 from paper_checks.claims.section_5 import plane
 from paper_checks.claims.words import *
-from theory import forced
 from theory import jumping_force as jumping
-from theory.energy import sigma
 from theory.forced_response import natural, rates
 
 
@@ -44,9 +38,9 @@ def approach() -> Evidence:
         $\dot z-c$ never have opposite signs, so $\dot z$ does not enter the interval between $0$ and $c$: it keeps one
         sign, friction is always $b$ or always $-b$, and $v_2$ is not bounded. So $N\to 0$.
         """,
-        bounded(),
-        never_apart(),
-        force_cancels(),
+        bounded,
+        never_apart,
+        force_cancels,
     )
 
 
@@ -55,8 +49,8 @@ def one_response() -> Evidence:
     """Existence by a fixed point, uniqueness and attraction by the approach."""
     return argument(
         r"The map over one period does not increase $N$, and its orbits are bounded: it has a fixed point. Every motion approaches the one through it.",
-        approach(),
-        one_solution(),
+        approach,
+        one_solution,
         cites=("Browder and Petryshyn: a nonexpansive map with a bounded orbit has a fixed point",),
     )
 
@@ -73,7 +67,7 @@ def goes_round() -> Evidence:
         f^*|=b$ both $\mathbf w$ and $\mathbf w^*$ are along $\mathbf f^*$, or $0$: so is $\mathbf c$ while $\mathbf
         f^*$ rotates, and $\mathbf c=0$.
         """,
-        plane.never_apart(),
+        plane.never_apart,
     )
 
 
@@ -104,9 +98,9 @@ def undamped_attraction() -> Evidence:
             diff(forced.load(), x1),
             -m2 * a2 / (m1 + m2),
         ),
-        never_apart(),
-        strict_rule(),
-        tie_rule(),
+        never_apart,
+        strict_rule,
+        tie_rule,
     )
 
 
@@ -197,7 +191,7 @@ def forced_periodic_response() -> Case:
         alone and the force does not jump at that exit. With a jump there, whole families of periodic motions may
         coexist.
         """,
-        carried("round", goes_round()),
-        carried("undamped", undamped_attraction()),
-        carried("jump", jumping_force.keeps_apart()),
+        carried("round", goes_round),
+        carried("undamped", undamped_attraction),
+        carried("jump", jumping_force.keeps_apart),
     )

@@ -1,23 +1,17 @@
 """The return map from ray to ray as a power series with rational coefficients, and what its first terms leave out."""
 
-from collections.abc import Callable, Iterator
-from fractions import Fraction
-from functools import cache
+from collections.abc import Iterator
 from math import factorial
 from typing import Any, NamedTuple
 
 import flint
-import sympy as sp
-from flint import arb, arb_series, fmpq, fmpq_series
+from flint import arb_series, fmpq, fmpq_series
 
 from numerics.arithmetic.precision import series_terms
 from paper_checks.claims.letters import C, H, R, in_angle, of_share
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.balls import point, precision
 from theory.excursion import h
 from theory.near_critical import cycle
-from theory.power_series import taylor
 from theory.return_map import (
     depth,
     depth_series,
@@ -81,7 +75,7 @@ class Slip(NamedTuple):
         return self.theta * self.theta * self.sink
 
 
-def slip(theta: Any) -> Slip:
+def slip_at(theta: Any) -> Slip:
     """Return the slip at a power series by three entire functions, whose quotients have no gap at theta = 0."""
     sine, versine, lag = (_entire(numbers, theta) for numbers in zip(*map(_coefficients, range(TERMS)), strict=True))
     return Slip(theta, sine / versine, lag / versine)
@@ -121,15 +115,15 @@ def at_most(defect: Callable[[Slip], Any], order: int) -> arb:
     is of a lower order.
     """
     with series_terms(order + 8):
-        below = defect(slip(fmpq_series([0, 1])))
+        below = defect(slip_at(fmpq_series([0, 1])))
     if any(below[n] != 0 for n in range(order)):
         return arb("inf")
     with precision(40), series_terms(order + 1):
-        near = slip(arb_series([arb(0).union(point(EDGE)), 1]))
+        near = slip_at(arb_series([arb(0).union(point(EDGE)), 1]))
         top = (abs(defect(near)[order]) / near.rise[0].lower() ** order).upper()
         for box in _boxes():
-            middle, along = arb(box.mid()), slip(arb_series([box, 1]))
-            value, at_middle = defect(along)[order], defect(slip(arb_series([middle, 1])))
+            middle, along = arb(box.mid()), slip_at(arb_series([box, 1]))
+            value, at_middle = defect(along)[order], defect(slip_at(arb_series([middle, 1])))
             for n in reversed(range(order)):
                 value = value * (box - middle) + at_middle[n]
             top = top.max((abs(value) / along.height[0].lower() ** order).upper())
@@ -163,7 +157,7 @@ def remainders() -> Steps:
     )
 
 
-SHARES, PARTS = 32, 64
+SHARES, PARTS = 24, 32
 """Boxes of sqrt q, and of the slip angle, on which the time is enclosed."""
 
 
@@ -187,7 +181,7 @@ def cycle_time() -> Steps:
             share = point(Fraction(m, SHARES)).union(point(Fraction(m + 1, SHARES)))
             for n in range(PARTS):
                 box = point(Fraction(n, PARTS)).union(point(Fraction(n + 1, PARTS)))
-                rest = delay(slip(arb_series([box, 1])), share, arb_series.atan, arb_series.sqrt)
+                rest = delay(slip_at(arb_series([box, 1])), share, arb_series.atan, arb_series.sqrt)
                 top = top.max(abs(rest[5]).upper())
     return (
         identity(
@@ -236,9 +230,6 @@ def cycle_time() -> Steps:
 )
 def return_map_expansion() -> Case:
     """c as one power series in y; the mass ratio enters as a factor only."""
-    terms = [
-        f"{'+' if c > 0 and n > 1 else ''}{latex(c)}y^{{{n}}}" for n, c in enumerate(depth_series(ORDER - 1), start=1)
-    ]
     beyond, lost = remainders()
     return because(
         r"""
@@ -248,8 +239,7 @@ def return_map_expansion() -> Case:
         """,
         carried("series", beyond),
         carried("remainder", lost),
-        carried("time", kernel.step("cycle-time-exact"), *cycle_time()),
-        coefficients(),
-        derivation=("$$c(y)=" + "".join(terms) + "+\\cdots$$",),
+        carried("time", kernel.step("cycle-time-exact"), cycle_time),
+        coefficients,
         figure="return-map",
     )

@@ -1,24 +1,17 @@
 """Every slip from $S$: where it ends, in closed form, and what grows with its angle."""
 
-from fractions import Fraction
-from functools import cache
 from itertools import islice
-
-import sympy as sp
-from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
-from numerics.scene import Pair
 from paper_checks.claims.beyond.excursions import angle_of_excursion, vanishes
 from paper_checks.claims.letters import C, H, R, in_angle
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import precision, shown
+from paper_checks.decide.balls import shown
 from paper_checks.decide.roots import enclosed_root
 from theory.excursion import guard_factors, h, half_tangent_form
 from theory.linear import root
-from theory.power_series import taylor
 from theory.return_map import (
     contact_condition,
     contact_slope,
@@ -267,7 +260,7 @@ def exits_twice_by(share: Fraction, excess: Fraction, same: bool) -> Evidence:
         having re-entered with $w'>0$ the pair leaves by the opposite ray if $\theta<\theta_v$,
         $\tan\theta_v=\theta_v$, «turn», and by the same ray if $\theta>\theta_v$.
         """,
-        turn=Formula(r"\theta_v", "=...", Rational("4.4934"), decimal(_turning_angle)),
+        turn=decimal(r"\theta_v", "4.4934", _turning_angle),
         kernel="turning-angle leaves-by",
     ),
 )
@@ -281,25 +274,16 @@ def excursion_closed_form() -> Case:
         $E_{cr}$ the velocity keeps its sign up to the ray, so the sign of $V'=\sqrt q\,(h-\theta)$ determines the ray;
         $V'=0$ inside $S_0$ is below $E_{cr}$.
         """,
-        contact(),
-        first_factor_positive(),
-        *angle_of_excursion(),
-        *one_contact(),
-        *landings(),
+        contact,
+        first_factor_positive,
+        angle_of_excursion,
+        one_contact,
+        landings,
         *depth_grows()[:2],
-        *stays_or_crosses(),
-        *turns_back(),
+        stays_or_crosses,
+        turns_back,
         exits_twice_by(Fraction(1, 5), Fraction(1, 10), same=False),
         exits_twice_by(Fraction(1, 5), Fraction(15), same=True),
-        derivation=(
-            r"""
-            In $\theta=\tau/\sqrt q$ the slip from $X=1+q\,d$, $V_1=V_2=\sqrt q\,\nu$ is
-            $$X=1-q+q\bigl((1+d)\cos\theta+\nu\sin\theta\bigr),\quad V_2=\sqrt q\,(\nu-\theta).$$
-            """,
-            "$$\\frac{V_1-V_2}{\\sqrt q\\,(1-\\cos\\theta)}=h(\\theta)-d\\cot\\frac{\\theta}{2}-\\nu$$",
-            "$$X'=1-q\\,c(\\theta),\\qquad V'=\\sqrt q\\,(h-\\theta),\\qquad w'=q\\,(h^2-r\\,c^2)\\qquad\\text{from a ray.}$$",
-            "Both cases occur: the same ray for $q<q_v$ and $\\theta_b<\\theta<\\theta_c$ (merging-set), a crossing for $\\theta>\\theta_c$.",
-        ),
         figure="excursion-curves",
     )
 
@@ -340,10 +324,10 @@ def excursion_monotone() -> Case:
         q\,\theta$, the depth $q\,c$ and the excess lost $q\,r\,c^2$ (units of the reduced coordinates): each
         increases with $\theta$.
         """,
-        *angle_of_excursion(),
-        *rise_is_convex(),
-        *depth_grows(),
-        *one_contact(),
+        angle_of_excursion,
+        rise_is_convex,
+        depth_grows,
+        one_contact,
         *landings()[3:],
         figure="excursion-curves",
     )

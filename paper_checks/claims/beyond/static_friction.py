@@ -1,17 +1,11 @@
 """Is creeping robust? Static friction above kinetic, by any jump, ends it; a finite slope of friction keeps its rate."""
 
-from fractions import Fraction
-from functools import cache
-
-from numerics.scene import Friction, Pair, Scene, State, Weakening
+from numerics.scene import Friction, Weakening
 from paper_checks.claims.letters import limit_of_energy
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.enclosure import compare, exact, solved
 from theory import finite_slope
 from theory.finite_slope import END, SCALED, scaled_time, slope
 from theory.forced import load
-from theory.model import slip
 from theory.near_critical import inverse_step
 from theory.scaling import to_si
 from theory.symbols import r as share_of_q
@@ -39,7 +33,7 @@ def merges_or_tends() -> Evidence:
         to a stuck motion whose load is within $b$. Hence $E\to E_{cr}$. Where that motion has $|\Lambda|<b$ the pair
         sticks from some time on, up to $|\Lambda|=b$: it leaves $S_0$ by the rays, with $w\to 0$.
         """,
-        slip_rate(),
+        slip_rate,
         kernel.step("interface-synchronises"),
         kernel.step("state-well-posed"),
     )
@@ -114,7 +108,7 @@ def next_term() -> Evidence:
         $an+2c\sqrt{an}+o(\sqrt n)$ with $a=\frac{9r}{4q}$, $c=\frac{6k}{5q}$, and the time is $\pi n+o(\sqrt n)$. Between two
         exits $w$ and the time change by the factor $1+O(1/n)$.
         """,
-        slope_drops_out(),
+        slope_drops_out,
         *(one_excursion(*case) for case in CASES),
         cites=("Stolz and Cesàro",),
     )
@@ -174,11 +168,10 @@ def next_term() -> Evidence:
         so that, with $\tau=\Omega t$ and $C=\frac{4\pi q}{9r}$, «approach»: friction that falls lets $t\,(E-E_{cr})$ come to its
         limit from below, friction that rises from above.
         """,
-        approach=Formula(
+        approach=tends(
             r"\sqrt\tau\,\bigl(\tfrac{\tau w}C-1\bigr)",
-            "->",
             -Rational(8, 5) * slope * (m1 + m2) * sqrt(pi / (m1 * m2)),
-            equals(lambda: to_si(finite_slope.approach())),
+            lambda: to_si(finite_slope.approach()),
         ),
     ),
     assuming="$m_1,m_2,a_2>0$. No force, $u=0$; and not Coulomb's law with one $b$: friction at rest is larger than in slip, or friction depends on the speed of slip.",
@@ -193,9 +186,9 @@ def static_friction_stops_creeping() -> Case:
         duration and a least loss. Without the jump slips near $E_{cr}$ are so slow, $|\dot z|$ of the order $w^{3/2}$, that
         friction is almost $b$ in them, and they may lose arbitrarily little.
         """,
-        slip_rate(),
-        carried("slope", merges_or_tends(), slope_drops_out()),
-        carried("step", next_term()),
-        carried("approach", next_term()),
+        slip_rate,
+        carried("slope", merges_or_tends, slope_drops_out),
+        carried("step", next_term),
+        carried("approach", next_term),
         figure="static-friction",
     )

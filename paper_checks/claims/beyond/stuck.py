@@ -1,16 +1,9 @@
 """A pair that sticks for ever under a periodic force, without a damper."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.beyond.contraction import one_solution
 from paper_checks.claims.words import *
-from theory import forced
 from theory import forced_response as response
-from theory.energy import sigma, sigma_other
 from theory.forced_response import amplitude, multiple, omega
-from theory.model import stick
 
 
 @cache
@@ -84,9 +77,9 @@ def undamped_stuck() -> Evidence:
         the mean is $\omega^2X\cos(\pi/2n)$ whatever is added, and a free oscillation attains it. If $\Omega=\omega$ the
         stuck motion grows like $t$.
         """,
-        stuck_response(),
-        harmonic_curve(),
-        geometric(),
+        stuck_response,
+        harmonic_curve,
+        geometric,
     )
 
 
@@ -109,6 +102,6 @@ def tends_to_stuck() -> Evidence:
             put(forced.contraction_rate().subs(a1, 0), {sigma_other: force / b, v2_other: v1_other}),
             -(b * sigma - force) * (v1 - v2),
         ),
-        undamped_stuck(),
-        one_solution(),
+        undamped_stuck,
+        one_solution,
     )

@@ -1,10 +1,6 @@
 """The pair on a surface under round friction: what sticks for ever, how a slip ends, a force that goes round."""
 
-from functools import cache
-
 from paper_checks.claims.words import *
-from theory.energy import critical_energy
-from theory.filippov import half_width
 from theory.forced_response import omega
 
 
@@ -62,7 +58,7 @@ def stuck_ellipses() -> Case:
     """The load turns with the place."""
     return because(
         "On a surface a stuck pair sticks permanently exactly if its ellipse fits into the disc of radius $L$: while stuck, the load is proportional to the displacement. At a given energy, the rounder the ellipse, the better it fits.",
-        carried("load", load_and_place()),
+        carried("load", load_and_place),
         figure="stuck-ellipses",
     )
 
@@ -124,6 +120,6 @@ def rotating_force() -> Case:
     """A force that goes round meets a friction that goes round with it."""
     return because(
         "Under a rotating force a motion that rotates with it sticks up to one threshold and, unless body 1 resonates without a damper, slips at one speed above it: in axes that rotate with the force it is at rest, and its equations reduce to one quadratic for that speed. From the amplitude on at which sticking needs more than $b$ that speed is positive. With a damper every motion tends to this one: see forced-periodic-response.",
-        one_quadratic(),
+        one_quadratic,
         figure="rotating-force",
     )

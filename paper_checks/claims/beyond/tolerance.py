@@ -1,9 +1,5 @@
 """The ring of tolerance: entered once and for good; and damping that breaks adhesion."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.beyond import response
 from paper_checks.claims.beyond.contraction import never_apart
 from paper_checks.claims.beyond.response import approach
@@ -11,10 +7,7 @@ from paper_checks.claims.letters import MASS
 from paper_checks.claims.section_3 import capture, energy, filippov
 from paper_checks.claims.section_5.points import INSIDE
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from theory import forced
 from theory import forced_control as control
-from theory.energy import critical_energy, on_surface, sigma
 from theory.forced_control import ring_ratio
 
 
@@ -23,8 +16,8 @@ def entered_once() -> Evidence:
     """A quantity that never grows passes a level once."""
     return argument(
         r"$N$ never grows, so $N\leqslant\varepsilon$ lasts from its first time on. With $a_1>0$ and a bounded force $N\to 0$.",
-        never_apart(),
-        approach(),
+        never_apart,
+        approach,
     )
 
 
@@ -61,7 +54,7 @@ def centre() -> Evidence:
     """Nothing depends on x2; the path of the relative displacement is paid."""
     return argument(
         r"A motion with $x_2(0)$ shifted by $c$ is the same motion with $x_2$ shifted by $c$. Without a force $b\int_t^\infty|\dot z|\,ds\leqslant E(t)-E_\infty$, so $x_1-x_2$ has a limit and is no further from it than $(E(t)-E_\infty)/b$.",
-        blind_to_x2(),
+        blind_to_x2,
         identity(r"of the energy lost $\mathrm dE$ friction takes $b\,|\mathrm dz|$", control.path_per_energy(), 1 / b),
         *energy.in_every_mode()[:2],
     )
@@ -72,9 +65,9 @@ def sticks_for_ever_below() -> Evidence:
     """On S with E <= E_cr the free pair is captured."""
     return argument(
         r"On $S$ with $E\leqslant E_{cr}$ the pair is in $S_0$; stuck it keeps its energy, so it sticks permanently.",
-        capture.stays_below_critical(),
-        capture.stick_is_a_motion(),
-        filippov.one_solution(),
+        capture.stays_below_critical,
+        capture.stick_is_a_motion,
+        filippov.one_solution,
     )
 
 
@@ -145,10 +138,9 @@ def ring_of_tolerance() -> Case:
                 (Abs((x1 - x2) - (x1 - OTHER_PLACE)), "=", Rational("0.001")),
             ),
         ),
-        carried("response", response.one_response(), entered_once()),
-        carried("velocity", ring_contains()),
-        carried("displacement", centre()),
-        derivation=(r"$$\tfrac12\tfrac{d}{dt}N^2\leqslant 0,\qquad (\dot z-\dot{\tilde z})^2\leqslant\kappa\,N^2.$$",),
+        carried("response", response.one_response, entered_once),
+        carried("velocity", ring_contains),
+        carried("displacement", centre),
     )
 
 
@@ -211,7 +203,7 @@ def tolerance_ring() -> Case:
     """The distance never grows; its image in the relative plane."""
     return because(
         "A ring that contains the image of the tube is entered no later than the tube, and not left once the tube is entered. The energy distance does not contain the relative displacement, so the ring is centred on its limit, if it has one: under a force body 2 may drift away.",
-        ring_contains(),
+        ring_contains,
     )
 
 
@@ -241,8 +233,8 @@ def tolerance_ring() -> Case:
         order $1/a_1$, and from every initial state the time after which the pair sticks permanently tends to «time»,
         with the initial $v_2$.
         """,
-        creeps=Formula(r"a_2x_1+a_1v_1", "->", -b * sigma, equals(forced.creeping_load)),
-        time=Formula("T", "->", m2 * Abs(v2) / b, equals(lambda: Abs(v2) / control.strongest())),
+        creeps=tends(r"a_2x_1+a_1v_1", -b * sigma, forced.creeping_load),
+        time=tends("T", m2 * Abs(v2) / b, lambda: Abs(v2) / control.strongest()),
         kernel="heavy-damping",
     ),
     assuming=f"{POSITIVE} No force, $u=0$; with and without a damper.",

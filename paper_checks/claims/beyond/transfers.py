@@ -1,12 +1,7 @@
 """Steps on moving body 2 by a force on body 1: friction is all that it feels."""
 
-from functools import cache
-
-from paper_checks.claims.beyond.contraction import same_modes
 from paper_checks.claims.words import *
-from theory import forced
 from theory import forced_control as control
-from theory.energy import sigma
 
 
 @cache
@@ -31,20 +26,4 @@ def stuck_force() -> Evidence:
             total_mass() * control.r_acceleration + a1 * control.r_speed + a2 * control.r_place,
             m2 * control.r_acceleration,
         ],
-    )
-
-
-@cache
-def followed() -> Evidence:
-    """Exactly the references with |r''| <= b/m2."""
-    return argument(
-        r"""
-        Friction gives body 2 no more. Conversely let body 1 start with $v_1(0)=v_2(0)$. The stuck motion along such
-        an $x_{\mathrm{ref}}$, shifted by $x_1(0)-x_{\mathrm{ref}}(0)$, has $|\Lambda|=m_2|\ddot
-        x_{\mathrm{ref}}|\leqslant b$ at almost every time: it is a motion under the force of stick; if $\ddot
-        x_{\mathrm{ref}}$ jumps, so does $u$.
-        """,
-        gentle(),
-        stuck_force(),
-        same_modes(),
     )

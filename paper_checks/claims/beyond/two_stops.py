@@ -1,17 +1,10 @@
 """Motions with two stops in a period next to both thresholds, and whether there is only one."""
 
-from fractions import Fraction
-from functools import cache
-
-from numerics.scene import Force, Pair, Scene, State
 from paper_checks.claims.beyond.response import undamped_attraction
 from paper_checks.claims.beyond.stuck import tends_to_stuck
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from theory import forced
 from theory import forced_response as response
 from theory.forced_response import slip_length
-from theory.model import slip, stick
 
 OMEGA = Symbol("Omega", positive=True)
 
@@ -27,7 +20,7 @@ def only_one() -> Evidence:
         $\beta\neq 0$, again only the velocities differ there, by $\beta$, and $\zeta$ sticks while the other does. At the next
         exit the loads agree again, so the places do: $\frac\beta\Omega\sin\Omega t=0$ after the stick.
         """,
-        undamped_attraction(),
+        undamped_attraction,
         identity(
             r"in stick $x_1-\tilde x_1=\frac\beta\Omega\sin\Omega t$",
             diff(beside, t, 2),
@@ -66,10 +59,10 @@ def near_first() -> Evidence:
         a motion. Its $U$ exceeds $U_*$, since up to $U_*$ no motion that slips comes back; so all $U$ slightly above $U_*$
         are taken.
         """,
-        shape(),
+        shape,
         identity(r"where $\Lambda=b$, $\ddot z=0$ and $\dddot z=\kappa\dot\Lambda$", response.short_slip()[0]),
-        same_load_rate(),
-        tends_to_stuck(),
+        same_load_rate,
+        tends_to_stuck,
         kernel.step("entrains"),
         kernel.step("two-stop-exists"),
     )
@@ -104,8 +97,8 @@ def near_last() -> Evidence:
             forced.relative_rate(1),
             forced.coupling() * (forced.load() - b),
         ),
-        same_load_rate(),
-        only_one(),
+        same_load_rate,
+        only_one,
         kernel.step("two-stop-exists"),
         kernel.step("periodic-response"),
     )
@@ -126,7 +119,7 @@ def beside_thresholds(damping: int) -> Evidence:
     ends = [Fraction(str(one.mid().str(12, radius=False))) for one in (found.entrainment, found.non_stop)]
     sides = []
     for amplitude in (end * (1 + side * BESIDE) for end in ends for side in (-1, 1)):
-        motion = periodic(Scene(pair, State(), 1, force=Force.sine(amplitude, 12)), digits=6)
+        motion = periodic(Scene(pair, State(), 1, force=Force.sine(amplitude, 12)), digits=4)
         sides.append([leg.side for leg in motion.orbit.legs] if motion.orbit else [])
     two = [1, 0, -1, 0]
     return enclosed(

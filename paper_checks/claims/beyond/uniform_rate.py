@@ -1,18 +1,12 @@
 """The $1/t$ law with an error term, and what of it the energy at the start alone fixes."""
 
-from functools import cache
-
-import sympy as sp
-from flint import arb
-
 from paper_checks.claims.beyond.rate import one_step
 from paper_checks.claims.beyond.rate_error import ranges
 from paper_checks.claims.beyond.slips import contact, depth_grows, landings, one_contact
 from paper_checks.claims.letters import R, of_share
 from paper_checks.claims.section_3.convergence import contact_again
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.balls import point, precision, shown
+from paper_checks.decide.balls import shown
 from theory.long_time import leading_coefficient, logarithm_weight
 from theory.rate_bounds import first_depth, first_excess
 from theory.return_map import depth
@@ -84,10 +78,10 @@ def few_crossings() -> Evidence:
         $d\cot(\theta/2)=h-u\leqslant\frac{\pi}{2}+\sqrt{y_0}$, as $h\leqslant\pi/2$ and $u^2\leqslant y\leqslant
         y_0$; beyond, $c\geqslant 2$. So there are at most $N$ of them, each shorter than $2\pi\sqrt q$.
         """,
-        contact(),
-        *one_contact(),
-        *landings(),
-        *depth_grows(),
+        contact,
+        one_contact,
+        landings,
+        depth_grows,
         prove(
             r"$c+d\geqslant 2/q$ and $d\leqslant 1/q$ give $c\,(c+2d)\geqslant 2/q^2$ (here $k=1/q$)",
             [*crosses, GAP <= EDGE],
@@ -111,15 +105,15 @@ def from_above() -> Evidence:
         cross, of which there are at most $N$ in all. So the $n$-th exit is not after $\tau^*+(n+1)\,\pi(1+2\sqrt q)$,
         and $w$ never grows.
         """,
-        contact_again(),
+        contact_again,
         identity(
             r"the bound of a stay, in units of $1/\Omega$, is $2\sqrt{(1+w)/r}$",
             first_contact_bound() ** 2,
             4 * (1 + w) / r,
         ),
-        few_crossings(),
-        *depth_grows(),
-        one_step(),
+        few_crossings,
+        depth_grows,
+        one_step,
     )
 
 
@@ -161,12 +155,7 @@ def rate_with_error() -> Case:
         cycle adds $\pi G-F$ to the remainder. Each of the two is at most a constant, the same for every mass ratio,
         times a difference that telescopes along the exits; so the sum is bounded.
         """,
-        carried("error", kernel.step("law-with-error"), quotients()),
-        derivation=(
-            "$$\\frac{C}{w_n}+\\pi B\\ln\\frac{w_n}{w_0}=\\frac{C}{w_0}+\\tau_n+R_n,\\qquad R_n=\\sum_{k<n}(\\pi G_k-F_k).$$",
-            "The bounds are uniform in $n$. For small $r=m_2/M$ the law itself sets in late, and the lower bound needs its factor $1/r$, as observed numerically: "
-            "the late $r\\,R_n$ come near to $\\pi\\int_0^{y_0}\\bigl(\\frac{4}{9y^2}+\\frac{2}{5y}-\\frac{1}{c^2}\\bigr)\\,dy<0$, $c$ as a function of $y$.",
-        ),
+        carried("error", kernel.step("law-with-error"), quotients),
     )
 
 
@@ -229,9 +218,6 @@ def uniform_rate() -> Case:
         of one $E(0)$ may lose arbitrarily much of the excess $E(0)-E_{cr}$ in their first slip. For starts on $S_0$
         slightly above $E_{cr}$ both constants exist (rate-one-over-t).
         """,
-        carried("upper", from_above()),
-        derivation=(
-            "$$X=r,\\quad V=\\sqrt{1-r^2+\\delta},\\qquad V_1-V_2=V(\\cos\\sigma-1)-\\sqrt q\\,\\sigma<0\\quad(\\sigma>0)$$",
-        ),
+        carried("upper", from_above),
         figure="uniform-rate",
     )

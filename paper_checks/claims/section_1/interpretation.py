@@ -1,15 +1,13 @@
 """What the paper says of its model in passing: units, the stiff limit, the energy, the parts of S, two senses of sliding."""
 
-import sympy as sp
-
 from paper_checks.claims.letters import SIGN
 from paper_checks.claims.section_3 import capture, filippov
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.words import *
 from theory import presliding
-from theory.energy import energy, sigma_other, slip_rate
-from theory.filippov import derivative_along, guard, half_width, sliding_field, surface
-from theory.model import RELATIVE_SIGN, STICTION_SIGN, driven_equation, driving_equation
+from theory.energy import energy, slip_rate
+from theory.filippov import guard, surface
+from theory.model import RELATIVE_SIGN, STICTION_SIGN
 from theory.presliding import deflection, deflection_rate, slider_rate, stiffness, variation
 from theory.scaling import about_an_axis, radius
 
@@ -38,7 +36,7 @@ def energy_as_lyapunov_function() -> Case:
         Lyapunov function of the origin: without a damper it is constant in stick, so periodic motions persist there.
         """,
         carried("positive", prove("$E>0$ unless $x_1=v_1=v_2=0$", [moved], signed(energy(), ">"))),
-        carried("falls", *capture.energy_decreases(), dissipation.stick_keeps_together()),
+        carried("falls", capture.energy_decreases, dissipation.stick_keeps_together),
     )
 
 
@@ -163,8 +161,8 @@ def stiff_limit() -> Case:
                 tends to 0, as $\delta$ does uniformly, $\dot\delta$ is bounded by the energy, and smooth functions
                 approximate $\tilde\sigma$.
                 """,
-                _spring_against_coulomb(),
-                _sliders_only_take(),
+                _spring_against_coulomb,
+                _sliders_only_take,
                 identity(
                     r"at $|\delta|=\delta_{\max}$ the spring has the force $b$",
                     stiffness * presliding.largest_deflection(),

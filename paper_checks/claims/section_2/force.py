@@ -3,11 +3,8 @@
 from paper_checks.claims.beyond import transfers
 from paper_checks.claims.section_5.points import EXAMPLE_PAIR
 from paper_checks.claims.words import *
-from theory import forced
-from theory.energy import sigma
 from theory.forced import energy_rate as forced_energy_rate
 from theory.forced import forced_system
-from theory.model import driven_equation, driving_equation
 
 REFERENCE, REFERENCE_RATE, DISTURBANCE = symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} u_d", real=True)
 STIFFNESS, VISCOSITY = symbols("k_1 k_2", positive=True)
@@ -125,5 +122,5 @@ def free_interface() -> Case:
             ),
         ),
         carried("tangential"),
-        carried("bounded", transfers.gentle()),
+        carried("bounded", transfers.gentle),
     )

@@ -1,9 +1,5 @@
 """Section II, eqs (3), (4): their branches, the stiction bracket, the force between the bodies."""
 
-from collections.abc import Callable
-
-import sympy as sp
-
 from paper_checks.claims.section_2.signum import under_a_force
 from paper_checks.claims.section_3.filippov import (
     SPURIOUS,
@@ -14,15 +10,7 @@ from paper_checks.claims.section_3.filippov import (
 )
 from paper_checks.claims.section_5.points import EDGE, EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.claims.words import *
-from theory.model import (
-    RELATIVE_SIGN,
-    STICTION_SIGN,
-    Branch,
-    branch_named,
-    branches,
-    driven_equation,
-    driving_equation,
-)
+from theory.model import RELATIVE_SIGN, STICTION_SIGN, Branch, branches
 
 Z, ADHESION = (
     Symbol(r"\mathrm{sgn}(\dot{z})", real=True),
@@ -193,7 +181,6 @@ def modes_from_closed_form() -> Case:
 def stiction_bracket() -> Case:
     """Evaluate the brackets of (4) for <, = and >, and find where stick satisfies the friction law."""
     stuck = branch_named("stick")
-    at_zero = {relation: adhesion_factor(0, sign) for relation, sign in (("<", -1), ("=", 0), (">", 1))}
     return because(
         r"""
         The inequality is printed the wrong way round: $|\ddot x_1|>b/m_2$ is the violation, the stiction condition is
@@ -236,11 +223,6 @@ def stiction_bracket() -> Case:
                 "stiction condition",
                 r"that friction can give the force of adhesion, $b\sigma=m_2\ddot x_1$ with $-1\leqslant\sigma\leqslant 1$",
             )
-        ),
-        derivation=(
-            equation("0", driven_equation()),
-            f"At $\\dot z=0$, for $|\\ddot x_1|<,\\,=,\\,>b/m_2$: $${latex(Matrix(list(at_zero.values())).T)}$$",
-            equation(r"\ddot{x}_1|_{\dot{z}=0}", stuck.acceleration1),
         ),
     )
 
@@ -373,14 +355,5 @@ def interface_force_balance() -> Case:
             ),
         ),
         carried("balanced"),
-        carried("broken", *(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave()),
-        derivation=(
-            equation("0", driving_equation()),
-            equation("0", driven_equation()),
-            *(
-                f"Branch {one.name}: $$f_1={latex(one.force_on_first)},\\qquad "
-                f"f_2={latex(one.force_on_second)},\\qquad f_1+f_2={latex(one.force_imbalance)}$$"
-                for one in branches()
-            ),
-        ),
+        carried("broken", *(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave),
     )

@@ -1,16 +1,10 @@
 """The three-valued signum of (1): what (3), (4) mean with it, and what becomes of them under a force."""
 
-from numerics.linear.modes import Mode
-from numerics.scene.file import load_scene
 from paper_checks.claims.section_3 import filippov
-from paper_checks.claims.section_5.points import INSIDE, START_AT_6MM
+from paper_checks.claims.section_5.points import INSIDE
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.enclosure import compare, exact, itinerary, solved, text
-from theory.closed_forms import DampingRegime, residual, solution
-from theory.filippov import sliding_field, transversality
 from theory.forced import held_at_the_limit, load
-from theory.model import case_study_mode, free_system
+from theory.model import free_system
 
 
 def under_a_force() -> tuple[Clause, ...]:
@@ -119,20 +113,12 @@ def sgn_three_valued() -> Case:
                 "solution. (11)–(12) from $x_1=0.006$ at rest: $x_1=0.006\\cos 10t$ with $\\dot z=0$ permanently, and a slip with "
                 f"$\\dot z<0$ until $t_1=$ {text(first_contact)} s: two of its solutions. (3)–(4) with $u=1+50t^2$ from rest at 0: none."
             ),
-            no_solution_inside(),
+            no_solution_inside,
             kernel.step("no-solution-inside"),
-            *two_solutions(),
+            two_solutions,
             kernel.step("no-solution-under-control"),
         ),
-        carried("same", filippov.equivalent()),
-        carried("unique", filippov.one_solution()),
-        derivation=(
-            *filippov.ARGUMENT,
-            equation(r"(\dot{x}_1,\dot{v}_1,\dot{v}_2)|_{\dot{z}=0}", sliding_field(damped=True).T),
-            "Both solutions of (11)–(12): with $\\dot z=0$ and with $\\dot z<0$ they read "
-            f"$${latex(Matrix([case_study_mode(0), case_study_mode(-1)]))}$$ for $(\\ddot x_1,\\ddot x_2)$; at "
-            f"$x_1=0.006$ the second gives $\\ddot z={value_at(case_study_mode(-1)[0] - case_study_mode(-1)[1], START_AT_6MM)}"
-            "<0$.",
-        ),
+        carried("same", filippov.equivalent),
+        carried("unique", filippov.one_solution),
         figure=None,
     )

@@ -1,15 +1,10 @@
 """Where every free motion goes: it meets the switching surface again and again, and the critical energy decides there."""
 
-from functools import cache
-
-import sympy as sp
-
+from paper_checks.claims.letters import in_strip, past_edge
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.section_3 import filippov
 from paper_checks.claims.words import *
-from theory.closed_forms import DampingRegime, residual, solution
-from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, stick_rate
-from theory.filippov import half_width, phi, transversality
+from theory.energy import dwell_time_bound, energy
 
 
 def energy_decreases() -> Steps:
@@ -49,18 +44,16 @@ def stays_below_critical() -> Evidence:
 def leaves_above_critical() -> Steps:
     """No trajectory stays on S with E > E_cr: outside S0 both fields leave, in S0 the level reaches an exit ray."""
     above = signed(on_surface() - critical_energy(), ">")
-    within = [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
-    outside = signed(x1 - half_width(), ">")
     leaving = (signed(transversality(sign), "<") for sign in (1, -1))
     return (
         prove(
             r"in $S_0$ with $E>E_{cr}$: $v_1\neq 0$, so $x_1$ moves monotonically to an edge",
-            [above, *within],
+            [above, *in_strip()],
             sp.Ne(v1, 0, evaluate=False),
         ),
         prove(
             r"$\Phi_\pm\cdot n_S<0$ on $S_+$ (on $S_-$ by the mirror image): no stay on $S$ outside $S_0$",
-            [outside],
+            [past_edge(1)],
             And(*leaving),
         ),
     )

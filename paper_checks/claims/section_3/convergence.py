@@ -1,13 +1,10 @@
 """Every free motion merges with a stuck one in finite time, or tends to the critical one."""
 
-from functools import cache
-
 from paper_checks.claims.section_3 import capture
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.words import *
 from paper_checks.decide.samples import dichotomy_samples
-from theory.energy import energy, sigma, stick_rate
-from theory.filippov import half_width, phi
+from theory.energy import energy
 from theory.turned_back import claimed_rates, energy_parts, rates, relative_rate
 
 
@@ -21,7 +18,7 @@ def converges() -> Evidence:
         $(x_1,P/(M\Omega))$ approaches a rotation of one radius $R$ with the angular frequency $\Omega$, and
         $E\to\frac{1}{2}a R^2$.
         """,
-        *capture.energy_decreases(),
+        capture.energy_decreases,
         identity(
             r"""
             with $P=m_1v_1+m_2v_2$, the point $(x_1,P/(M\Omega))$ turned back by $\Omega t$ moves at the rate
@@ -35,7 +32,7 @@ def converges() -> Evidence:
             energy_parts(),
             2 * energy(),
         ),
-        dissipation.price_of_relative_speed(),
+        dissipation.price_of_relative_speed,
     )
 
 
@@ -55,13 +52,13 @@ def each_turn_has_a_cost() -> Evidence:
         $v_1-v_2$ falls at least at the rate $a\delta/m_1$, so $|v_1-v_2|$ is above a fixed value for a fixed part of
         that time: each of infinitely many turns costs a fixed energy, and there is only $E(0)$.
         """,
-        converges(),
+        converges,
         prove(
             r"where $x_1\geqslant L+d$, $\dot v_1-\dot v_2\leqslant-a\,d/m_1$ for every value of friction in $[-1,1]$",
             beyond,
             falls,
         ),
-        capture.mirror_image(),
+        capture.mirror_image,
     )
 
 
@@ -74,10 +71,10 @@ def merges_or_creeps() -> Evidence:
         sticks from then on: it merges. Otherwise $\frac{1}{2}aR^2=\lim E\geqslant E_{cr}=\frac{1}{2}aL^2$, so $R=L$:
         the trajectory tends to one motion on the critical ellipse.
         """,
-        each_turn_has_a_cost(),
-        contact_again(),
-        capture.stays_below_critical(),
-        stays_stuck(),
+        each_turn_has_a_cost,
+        contact_again,
+        capture.stays_below_critical,
+        stays_stuck,
     )
 
 
@@ -89,8 +86,8 @@ def contact_again() -> Evidence:
         The switching surface is met again and again: a stay in one half-space lasts at most $2\sqrt{2Em_2}/b$, as
         $v_2$ changes there at a constant rate and is bounded by the energy.
         """,
-        *capture.meets_surface(),
-        *capture.energy_decreases(),
+        capture.meets_surface,
+        capture.energy_decreases,
     )
 
 
@@ -102,9 +99,9 @@ def stays_stuck() -> Evidence:
         Sticking on the ellipse is a solution, as it needs no more force than friction gives; no other one starts there,
         as the flow is non-expansive.
         """,
-        capture.stays_below_critical(),
-        capture.stick_is_a_motion(),
-        *capture.contraction(),
+        capture.stays_below_critical,
+        capture.stick_is_a_motion,
+        capture.contraction,
     )
 
 
@@ -137,10 +134,7 @@ def infinitely_many_crossings() -> Case:
         and is bounded by the energy. So there is no last time at which a trajectory is on $S$; one that sticks is on
         $S$ at every instant.
         """,
-        carried("crossings", contact_again()),
-        derivation=(
-            "$$m_2v_2^2\\leqslant 2E(0),\\quad |\\dot v_2|=b/m_2\\ \\Rightarrow\\ T\\leqslant\\frac{2\\sqrt{2E(0)m_2}}{b}$$",
-        ),
+        carried("crossings", contact_again),
     )
 
 
@@ -168,22 +162,10 @@ def dichotomy(seed: int) -> Case:
         converges, as only slip moves it and slip costs energy: it tends to one rotation of a radius $R$. Beyond $L$
         each turn would dissipate a fixed energy, so $R=L$: it tends to one motion on the critical ellipse.
         """,
-        carried("dichotomy", merges_or_creeps()),
+        carried("dichotomy", merges_or_creeps),
         identity(r"on $S_0$, $\dot E=0$: the level sets there are orbits", undamped(stick_rate())),
-        *capture.leaves_above_critical(),
+        capture.leaves_above_critical,
         dichotomy_samples(seed),
-        derivation=(
-            r"""
-            Step 1 (energy): $E$ never increases, and $b\int|v_1-v_2|\,dt\leqslant E(0)$. Step 2 (turned back): with
-            $P=m_1v_1+m_2v_2$ the point $(x_1,P/(M\Omega))$ turned back by $\Omega t$ moves at the rate
-            $\frac{m_2}{M}|v_1-v_2|$, so it converges. Step 3 (cost): where $|x_1|\geqslant L+\delta$, $|\dot v_1-\dot
-            v_2|\geqslant a\delta/m_1$; a rotation of a radius beyond $L$ would slip a fixed path in every turn.
-            """,
-            r"""
-            Step 4 (capture): on $S$ with $E\leqslant E_{cr}$ the pair sticks permanently; the flow is non-expansive, so
-            this is the only solution. No limit sets and no compactness are needed: the motion itself converges.
-            """,
-        ),
     )
 
 
@@ -209,10 +191,9 @@ def relative_displacement_limit() -> Case:
             "limit",
             argument(
                 "The path of $x_1-x_2$ has the length $\\int|v_1-v_2|\\,dt\\leqslant E(0)/b$: a path of finite length converges.",
-                *capture.energy_decreases(),
+                capture.energy_decreases,
             ),
         ),
-        derivation=("$$\\int_0^\\infty|\\dot x_1-\\dot x_2|\\,dt=\\frac{E(0)-E_\\infty}{b}<\\infty$$",),
     )
 
 
@@ -245,15 +226,9 @@ def global_stability() -> Case:
                 The distance to the set never grows, as each of its orbits is a solution and the flow is non-expansive;
                 and it tends to 0, as every trajectory merges with one of these orbits or tends to the critical one.
                 """,
-                *capture.contraction(),
-                capture.stick_is_a_motion(),
-                merges_or_creeps(),
+                capture.contraction,
+                capture.stick_is_a_motion,
+                merges_or_creeps,
             ),
-        ),
-        derivation=(
-            r"""
-            $$\frac{d}{dt}\tfrac12\|y-\tilde y\|_E^2=-a_1(v_1-\tilde
-            v_1)^2-b(\sigma-\tilde\sigma)\bigl((v_1-v_2)-(\tilde v_1-\tilde v_2)\bigr)\leqslant 0$$
-            """,
         ),
     )

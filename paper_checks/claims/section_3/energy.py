@@ -1,13 +1,9 @@
 """The energy: its rate, where it is dissipated, and what sliding costs."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.words import *
-from theory.energy import captive_energy, energy, on_surface, sigma, slip_rate
-from theory.filippov import derivative_along, guard, load, load_threshold, sliding_field
-from theory.model import free_system, slip
+from theory.energy import captive_energy, energy, slip_rate
+from theory.filippov import guard, load
+from theory.model import free_system
 
 
 def admissible(expression: Basic) -> Basic:
@@ -183,7 +179,7 @@ def captive_level() -> Evidence:
 def synchronises() -> Evidence:
     """z' tends to 0 along every trajectory."""
     return argument(
-        " ".join(SYNCHRONISATION[:2]) + " A relative speed costs energy, so $\\dot z\\to 0$.", *in_every_mode()
+        " ".join(SYNCHRONISATION[:2]) + " A relative speed costs energy, so $\\dot z\\to 0$.", in_every_mode
     )
 
 
@@ -192,16 +188,16 @@ def comes_to_rest() -> Evidence:
     """With a1 > 0 the origin attracts every trajectory, and is stable."""
     return argument(
         f"{REST[0]} {REST[1]} As $E$ never grows, the origin is stable.",
-        synchronises(),
-        momentum_rate(),
-        stick_momentum_rate(),
+        synchronises,
+        momentum_rate,
+        stick_momentum_rate,
     )
 
 
 @cache
 def captured() -> Evidence:
     """With a1 > 0 every trajectory sticks for ever from a finite time on."""
-    return argument(REST[2], comes_to_rest(), captive_margin(), captive_level())
+    return argument(REST[2], comes_to_rest, captive_margin, captive_level)
 
 
 @claim(
@@ -242,7 +238,7 @@ def rate_of_energy() -> Case:
                 A solution has a derivative at almost every time, that of the value that friction takes there; the
                 chain rule gives the rate, and $\sigma(v_1-v_2)=|v_1-v_2|$ for $\sigma\in\mathrm{Sign}(v_1-v_2)$.
                 """,
-                energy_rate(),
+                energy_rate,
             ),
         ),
         carried("sign"),
@@ -280,6 +276,6 @@ def energy_dissipation_places() -> Case:
     """Strict decrease off S, conservation on S."""
     return because(
         "The rate $-b|v_1-v_2|$ is negative exactly where the velocities differ.",
-        carried("dissipated", energy_rate()),
+        carried("dissipated", energy_rate),
         carried("conserved"),
     )

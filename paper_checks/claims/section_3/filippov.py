@@ -1,22 +1,10 @@
 """What a solution of (3), (4) is: Filippov's, of (5)–(7), and its two fields."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.letters import SIGN, field
 from paper_checks.claims.words import *
-from theory.energy import contraction_rate, contraction_terms, sigma, sigma_other
-from theory.filippov import derivative_along, half_width, load, load_threshold, phi, sliding_field, transversality
-from theory.model import (
-    RELATIVE_SIGN,
-    STICTION_SIGN,
-    branch_named,
-    driven_equation,
-    free_system,
-    slip,
-    stick,
-)
+from theory.energy import contraction_rate, contraction_terms
+from theory.filippov import load
+from theory.model import RELATIVE_SIGN, STICTION_SIGN, free_system
 
 ARGUMENT = (
     r"""
@@ -190,7 +178,7 @@ def equivalent() -> Evidence:
 @cache
 def one_solution() -> Evidence:
     """There is exactly one for each start."""
-    return argument(ARGUMENT[2], equivalent(), contraction(), never_apart(), cites=("Filippov's theorem on existence",))
+    return argument(ARGUMENT[2], equivalent, contraction, never_apart, cites=("Filippov's theorem on existence",))
 
 
 @claim(
@@ -276,6 +264,5 @@ def filippov_equivalence() -> Case:
                 And(*(signed(sign * transversality(sign), "<") for sign in (1, -1))),
             ),
         ),
-        carried("same-solutions", equivalent()),
-        derivation=(*ARGUMENT[:2], f"$$\\text{{sliding field}}={latex(sliding_field().T)}$$"),
+        carried("same-solutions", equivalent),
     )

@@ -1,19 +1,9 @@
 """Section III: an itinerary that merges, and one that creeps."""
 
-from functools import cache
-
-import sympy as sp
-from flint import arb
-
-from numerics.linear.modes import EventKind, Mode
-from numerics.scene import Scene
-from numerics.scene.file import load_scene
 from numerics.trajectory.events import Event
 from numerics.trajectory.status import Status
-from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.beyond.excursions import angle_of_excursion
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved, text
 from theory.excursion import (
     angle,
     excursion,
@@ -24,7 +14,6 @@ from theory.excursion import (
     next_excess,
 )
 from theory.fraction import in_lowest_terms
-from theory.power_series import taylor
 
 LARGEST = pi**2 / 4
 """w/q of the excursion of slip angle pi: proved by `largest_excess`, used by `starts_below`."""
@@ -158,17 +147,6 @@ def never_merges(trajectory: Trajectory, name: str) -> Steps:
 PLUS, MINUS, STICK = Mode.SLIP_PLUS, Mode.SLIP_MINUS, Mode.STICK
 
 
-def _points(trajectory: Trajectory, names: tuple[str, ...]) -> str:
-    """Return the named events as a line of the derivation: time and position on S."""
-    rows = zip(names, trajectory.event_times, *trajectory.event_states, strict=False)
-    places = [
-        f"${name}$: $t={t.mid().str(6, radius=False)}$ s, $x_1={x1.mid().str(5, radius=False)}$ m, "
-        f"$v={v1.mid().str(5, radius=False)}$ m/s"
-        for name, t, x1, v1, *_ in rows
-    ]
-    return "; ".join(places) + "."
-
-
 @claim(
     "itinerary-that-merges",
     "III",
@@ -198,10 +176,6 @@ def itinerary_that_merges(scene: Scene | None = None) -> Case:
                 engine="numerics, balls",
             ),
             compare("after it, $w=E/E_{cr}-1<0$", trajectory.reduced.final.w, "<", exact(0)),
-        ),
-        derivation=(
-            _points(trajectory, ("A",)),
-            f"$w={trajectory.reduced.final.w.mid().str(10, radius=False)}$ on the orbit.",
         ),
         figure="itinerary-that-merges",
     )
@@ -261,10 +235,5 @@ def itinerary_that_creeps(scene: Scene | None = None) -> Case:
             compare("$D_1\\in\\ell_-$: $V<0$", trajectory.events[5].reduced.V1, "<", exact(0)),
         ),
         carried("creeps", *starts_below(trajectory, "itinerary-that-creeps")),
-        derivation=(
-            _points(trajectory, ("A_1", "B_1", "A_2", "C_1", "B_2", "D_1", "A_3")),
-            f"$w={text(trajectory.events[3].reduced.w)}$ at $C_1$.",
-            *ARGUMENT,
-        ),
         figure="itinerary-that-creeps",
     )

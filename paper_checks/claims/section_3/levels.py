@@ -1,12 +1,11 @@
 """The level sets of the energy on the switching surface: the critical one, and the arcs above it."""
 
-import sympy as sp
-
+from paper_checks.claims.letters import in_strip, past_edge
 from paper_checks.claims.section_3 import capture
-from paper_checks.claims.section_3.sliding import beyond, product, within
+from paper_checks.claims.section_3.sliding import product
 from paper_checks.claims.words import *
-from theory.energy import critical_energy, edge_speed_squared, level_semi_axis, on_surface, semi_axis_margin, stick_rate
-from theory.filippov import edge_contact, half_width, sliding_field
+from theory.energy import edge_speed_squared, level_semi_axis, semi_axis_margin
+from theory.filippov import edge_contact
 
 LEVEL = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2)
 
@@ -33,13 +32,13 @@ def critical_energy_claim() -> Case:
         is at most $L$. At $E_0=0$ the ellipse is the equilibrium, which the paper counts among the periodic
         trajectories.
         """,
-        capture.stays_below_critical(),
+        capture.stays_below_critical,
         identity(
             "the end of the semi-axis has $E=E_0$",
             on_surface().subs({x1: level_semi_axis(), v1: 0}),
             E0,
         ),
-        capture.stick_is_a_motion(),
+        capture.stick_is_a_motion,
         carried(
             "above",
             prove(
@@ -87,7 +86,7 @@ def supercritical_arcs() -> Case:
         $\ell_+$, and one with $v_1<0$, which runs to $\ell_-$. On $\ell_+$ the field $\Phi_-$ touches $S$ and curves
         into $\Omega_-$, while $\Phi_+$ points into $\Omega_-$ too: the exit is the only motion.
         """,
-        prove("on $S_0$ with $E>E_{cr}$: $v_1\\neq 0$", [above, *within()], sp.Ne(v1, 0, evaluate=False)),
+        prove("on $S_0$ with $E>E_{cr}$: $v_1\\neq 0$", [above, *in_strip()], sp.Ne(v1, 0, evaluate=False)),
         identity("$\\dot E=0$ along the sliding field", undamped(stick_rate())),
         identity(
             "on the edges the level has $v_1^2=2(E_0-E_{cr})/(m_1+m_2)$",
@@ -101,6 +100,6 @@ def supercritical_arcs() -> Case:
             [v1 > 0],
             signed(contact.second, "<"),
         ),
-        prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], signed(product(1), "<")),
-        capture.mirror_image(),
+        prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [past_edge(1, ">=")], signed(product(1), "<")),
+        capture.mirror_image,
     )

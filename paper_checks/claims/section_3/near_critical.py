@@ -1,12 +1,7 @@
 """Section III: slightly above the critical energy: durations, exits, and how slowly the energy falls."""
 
-from fractions import Fraction
 from itertools import pairwise
 
-import sympy as sp
-
-from numerics.linear.modes import EventKind
-from numerics.scene.file import load_scene
 from paper_checks.claims.beyond.excursions import (
     EVENTUALLY,
     angle_of_excursion,
@@ -20,19 +15,14 @@ from paper_checks.claims.beyond.excursions import (
 )
 from paper_checks.claims.letters import limit_of_energy
 from paper_checks.claims.section_3.convergence import merges_or_creeps
-from paper_checks.claims.section_3.sliding import width
+from paper_checks.claims.section_3.sliding import WIDTH, width
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import solved, within
-from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit, truncate
-from theory.power_series import taylor
+from paper_checks.decide.enclosure import within
+from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit
 
 HALF_PERIOD = pi * sqrt((m1 + m2) / a2)
 LATE = "Read as of late times, $k\\to\\infty$, as the limits of the same sentence are."
 """How all parts of that sentence are read."""
-
-
-def _series(name: str, expression: Expr, order: int = 4) -> str:
-    return f"$${name}={latex(truncate(expression, epsilon, order))}+\\cdots,\\qquad \\varepsilon=\\sqrt w$$"
 
 
 @claim(
@@ -46,7 +36,7 @@ def _series(name: str, expression: Expr, order: int = 4) -> str:
         In the latter scenario there are times $t_1<\tau_1<t_2<\tau_2<\cdots$ such that the trajectory belongs to
         $S_0$ during each $[t_k,\tau_k]$ and «limit» as $k\to\infty$.
         """,
-        limit=Formula(r"\tau_k-t_k", "->", HALF_PERIOD, equals(lambda: critical_limits().stick_duration)),
+        limit=tends(r"\tau_k-t_k", HALF_PERIOD, lambda: critical_limits().stick_duration),
         kernel="exit-and-entry-times",
     ),
 )
@@ -58,18 +48,17 @@ def stick_durations() -> Case:
             "sticks",
             argument(
                 EVENTUALLY,
-                merges_or_creeps(),
-                *angle_of_excursion(),
-                *never_merges(),
-                heads_for_the_other_ray(),
+                merges_or_creeps,
+                angle_of_excursion,
+                never_merges,
+                heads_for_the_other_ray,
                 identity(
                     r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a_2}$",
                     critical_limits().stick_duration,
-                    pi * sqrt((m1 + m2) / a2),
+                    HALF_PERIOD,
                 ),
             ),
         ),
-        derivation=(_series(r"\Omega(\tau_k-t_k)", cycle().stick_duration),),
     )
 
 
@@ -81,7 +70,7 @@ def stick_durations() -> Case:
     clause(
         "slips",
         r"For the same times, «limit» as $k\to\infty$: the trajectory leaves $S_0$ only for short intervals of time.",
-        limit=Formula(r"t_{k+1}-\tau_k", "->", 0, equals(lambda: critical_limits().slip_duration)),
+        limit=tends(r"t_{k+1}-\tau_k", 0, lambda: critical_limits().slip_duration),
         kernel="exit-and-entry-times",
     ),
 )
@@ -97,9 +86,9 @@ def slip_durations() -> Case:
             "slips",
             argument(
                 EVENTUALLY,
-                merges_or_creeps(),
-                *angle_of_excursion(),
-                *never_merges(),
+                merges_or_creeps,
+                angle_of_excursion,
+                never_merges,
                 identity("$t_{k+1}-\\tau_k\\to 0$", critical_limits().slip_duration),
             ),
         ),
@@ -108,7 +97,6 @@ def slip_durations() -> Case:
             taylor(cycle().slip_duration / epsilon, epsilon, 1),
             3,
         ),
-        derivation=(_series(r"\Omega(t_{k+1}-\tau_k)", cycle().slip_duration),),
     )
 
 
@@ -124,15 +112,14 @@ def slip_durations() -> Case:
         «width», of the rays $\ell_\pm$: «entry» and «speed» at the entries as $k\to\infty$.
         """,
         width=width(),
-        entry=Formula(r"|x_1|", "->", b * (m1 + m2) / (a2 * m2), equals(lambda: critical_limits().entry_position)),
-        speed=Formula(r"|v_1|", "->", 0, equals(lambda: critical_limits().entry_velocity)),
+        entry=tends(r"|x_1|", WIDTH, lambda: critical_limits().entry_position),
+        speed=tends(r"|v_1|", 0, lambda: critical_limits().entry_velocity),
         kernel="exits-near-endpoints",
     ),
 )
 def exits_near_endpoints() -> Case:
     """Exit and entry points tend to the corner."""
     limits = critical_limits()
-    length = b * (m1 + m2) / (a2 * m2)
     first_entry = next(one for one in solved(load_scene("velocities")).events if one.kind is EventKind.ENTRY)
     return because(
         (
@@ -150,18 +137,14 @@ def exits_near_endpoints() -> Case:
             "all",
             argument(
                 EVENTUALLY,
-                merges_or_creeps(),
-                *angle_of_excursion(),
-                *never_merges(),
-                identity("exit points tend to $(L,0)$: position", limits.exit_position, length),
+                merges_or_creeps,
+                angle_of_excursion,
+                never_merges,
+                identity("exit points tend to $(L,0)$: position", limits.exit_position, WIDTH),
                 identity("exit points tend to $(L,0)$: velocity", limits.exit_velocity),
-                identity("entry points tend to $(L,0)$: position", limits.entry_position, length),
+                identity("entry points tend to $(L,0)$: position", limits.entry_position, WIDTH),
                 identity("entry points tend to $(L,0)$: velocity", limits.entry_velocity),
             ),
-        ),
-        derivation=(
-            _series("X_{entry}", cycle().position),
-            _series("V_{entry}", cycle().velocity),
         ),
     )
 
@@ -190,11 +173,8 @@ def no_merging_near_critical() -> Case:
         merging. "Slightly" may thus be read as this explicit level; for $m_2\leqslant m_1$ an excursion that
         re-enters $S_0$ never merges at any energy.
         """,
-        carried("creeps", creeps_for_ever()),
-        no_merging_at_any_energy(),
-        derivation=(
-            "$$E_0\\leqslant E_{cr}\\Bigl(1+\\frac{m_1}{m_1+m_2}\\bigl(\\tfrac{\\pi}{2}-1\\bigr)^2\\Bigr)\\ \\Rightarrow\\ \\text{no merging}$$",
-        ),
+        carried("creeps", creeps_for_ever),
+        no_merging_at_any_energy,
     )
 
 
@@ -223,12 +203,11 @@ def slower_than_exponential() -> Case:
                 $w$ is multiplied by a factor that tends to 1 in a time that tends to $\pi/\Omega$: more slowly than
                 by any $e^{-\lambda t}$.
                 """,
-                creeps_for_ever(),
+                creeps_for_ever,
                 identity("$w'/w\\to 1$ as $w\\to 0$", excess_ratio_limit(), 1),
                 identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), pi),
             ),
         ),
-        derivation=(_series("w'", cycle().next_excess, 7),),
     )
 
 
@@ -285,8 +264,8 @@ def rate_one_over_t() -> Case:
                 sp.Gt(c1, now * t, evaluate=False),
             ),
         ),
-        carried("two-sided", two_sided()),
-        carried("limit", sharp_limit()),
+        carried("two-sided", two_sided),
+        carried("limit", sharp_limit),
         correction(
             enclosed_rate(Fraction(1, 2), Fraction(1, 2), 1000, Fraction(1, 20)),
             enclosed_rate(Fraction(1, 2), Fraction(1, 10), 1000, Fraction(1, 20)),

@@ -1,13 +1,10 @@
 """The switching surface: where it is crossed, and where it is slid on."""
 
-import sympy as sp
-
-from paper_checks.claims.letters import BEYOND, WITHIN, guard_rate
+from paper_checks.claims.letters import guard_rate, in_strip, past_edge
 from paper_checks.claims.section_3 import capture
 from paper_checks.claims.words import *
-from theory.closed_forms import DampingRegime, residual, solution
-from theory.energy import energy, stick_rate
-from theory.filippov import edge_contact, half_width, normal, sliding_field, sliding_weight, transversality
+from theory.energy import energy
+from theory.filippov import edge_contact, normal, sliding_weight
 
 WIDTH = b * (m1 + m2) / (a2 * m2)
 
@@ -19,23 +16,12 @@ def width() -> Formula:
 
 def _at_guard(sign: int, relation: str, side: int) -> Formula:
     """Return what is printed of a field's product with n_S on S_+ (side 1), S_- (side -1) or S_0 (side 0)."""
-    given = {1: BEYOND[1], -1: BEYOND[-1], 0: WITHIN}[side]
     product = guard_rate(sign)
-    return Formula(product, relation, 0, implied(given, lambda: {product: transversality(sign)}))
+    given = implied(lambda: [past_edge(side)] if side else in_strip(), lambda: {product: transversality(sign)})
+    return Formula(product, relation, 0, given)
 
 
 HALF_SPACES = (("+", 1), ("-", -1))
-
-
-def beyond(side: int, *, strict: bool = True) -> Basic:
-    """Return the condition side x1 > L (or >=), cleared of its denominator."""
-    margin = cleared(side * x1 - half_width())
-    return signed(margin, ">" if strict else ">=")
-
-
-def within() -> list[Basic]:
-    """Return the conditions |x1| <= L of S0, cleared of their denominators."""
-    return [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
 
 
 def product(sign: int) -> Expr:
@@ -45,9 +31,7 @@ def product(sign: int) -> Expr:
 
 def width_as_printed() -> Evidence:
     """Return that L, solved from the products, is the half width that the paper prints for S0."""
-    return identity(
-        "$L$, where the product vanishes, is the printed $b(m_1+m_2)/(a m_2)$", half_width(), b * (m1 + m2) / (a2 * m2)
-    )
+    return identity("$L$, where the product vanishes, is the printed $b(m_1+m_2)/(a m_2)$", half_width(), WIDTH)
 
 
 def outside_proofs() -> list[Evidence]:
@@ -55,7 +39,7 @@ def outside_proofs() -> list[Evidence]:
     return [
         prove(
             f"$\\Phi_{name}\\cdot n_S{relation}0$ on $S_{part}$",
-            [beyond(side)],
+            [past_edge(side)],
             signed(side * product(sign), "<"),
         )
         for part, side, relation in (("+", 1, "<"), ("-", -1, ">"))
@@ -66,13 +50,9 @@ def outside_proofs() -> list[Evidence]:
 def strip_proofs() -> list[Evidence]:
     """Return the two proofs of (10)."""
     return [
-        prove(r"$\Phi_-\cdot n_S\geqslant 0$ on $S_0$", within(), signed(product(-1), ">=")),
-        prove(r"$\Phi_+\cdot n_S\leqslant 0$ on $S_0$", within(), signed(product(1), "<=")),
+        prove(r"$\Phi_-\cdot n_S\geqslant 0$ on $S_0$", in_strip(), signed(product(-1), ">=")),
+        prove(r"$\Phi_+\cdot n_S\leqslant 0$ on $S_0$", in_strip(), signed(product(1), "<=")),
     ]
-
-
-def _products() -> tuple[str, ...]:
-    return tuple(f"$$\\Phi_{name}\\cdot n_S={latex(transversality(sign))}$$" for name, sign in HALF_SPACES)
 
 
 @claim(
@@ -157,11 +137,11 @@ def sliding_region() -> Case:
                 The sliding region is where a convex combination of both fields is tangent to $S$ and both fields push
                 towards $S$, or along it.
                 """,
-                width_as_printed(),
-                *strip_proofs(),
-                prove("on $S_0$ the weight lies in $[0,1]$", within(), inside),
-                prove("a weight in $[0,1]$ implies $S_0$ (upper edge)", [inside], within()[0]),
-                prove("a weight in $[0,1]$ implies $S_0$ (lower edge)", [inside], within()[1]),
+                width_as_printed,
+                strip_proofs,
+                prove("on $S_0$ the weight lies in $[0,1]$", in_strip(), inside),
+                prove("a weight in $[0,1]$ implies $S_0$ (upper edge)", [inside], in_strip()[0]),
+                prove("a weight in $[0,1]$ implies $S_0$ (lower edge)", [inside], in_strip()[1]),
                 identity(
                     "the combination with that weight is tangent to $S$",
                     weight * transversality(1) + (1 - weight) * transversality(-1),
@@ -260,14 +240,14 @@ def return_alternatives() -> Case:
                 prove(
                     "arrival from $\\Omega_-$, $\\Phi_-\\cdot n_S\\geqslant 0$, implies $x_1\\leqslant L$: $p\\in S_-\\cup S_0$",
                     [arrives],
-                    within()[0],
+                    in_strip()[0],
                 ),
-                width_as_printed(),
-                *outside_proofs(),
-                *strip_proofs(),
+                width_as_printed,
+                outside_proofs,
+                strip_proofs,
                 touches,
                 turns,
-                capture.mirror_image(),
+                capture.mirror_image,
             ),
         ),
         carried("transversal", *outside_proofs()[2:]),
@@ -279,5 +259,4 @@ def return_alternatives() -> Case:
                 signed(edge_contact(-1).second, ">"),
             ),
         ),
-        derivation=_products(),
     )

@@ -1,16 +1,13 @@
 """Section III with a damper: the energy, and the origin."""
 
 from numerics.linear.exact_start import mode_at_start
-from numerics.linear.modes import Mode
-from numerics.scene import Pair, Scene, State
 from paper_checks.claims.section_3 import capture
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
 from theory.closed_forms import discriminant
-from theory.energy import energy, slip_rate, stick_rate
-from theory.filippov import derivative_along, load, load_threshold, sliding_field
-from theory.model import free_system, slip, stick
+from theory.energy import energy, slip_rate
+from theory.filippov import load
+from theory.model import free_system
 from theory.scaling import damping_ratio
 
 
@@ -96,7 +93,6 @@ def viscous_no_direct_effect() -> Case:
                 -a1 * v1**2,
             ),
         ),
-        derivation=(f"$$f_{{\\text{{adhesion}}}}={latex(force)}$$",),
     )
 
 
@@ -127,10 +123,9 @@ def viscous_energy_rate() -> Case:
                 A solution has a derivative at almost every time, that of the value that friction takes there; the
                 chain rule gives the rate.
                 """,
-                *capture.energy_decreases(),
+                capture.energy_decreases,
             ),
         ),
-        derivation=(f"$$\\dot E|_{{S_0}}={latex(stick_rate())}$$",),
     )
 
 
@@ -185,8 +180,8 @@ def viscous_origin_stable() -> Case:
             kernel.step("creeps-b-0.05"),
             kernel.step("viscous-rest"),
         ),
-        carried("origin", dissipation.comes_to_rest()),
-        carried("ends", dissipation.captured()),
+        carried("origin", dissipation.comes_to_rest),
+        carried("ends", dissipation.captured),
         carried(
             "spiral",
             identity(
@@ -208,10 +203,5 @@ def viscous_origin_stable() -> Case:
                     evaluate=False,
                 ),
             ),
-        ),
-        derivation=(
-            *dissipation.SYNCHRONISATION,
-            *dissipation.REST,
-            f"$$\\dot{{\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}}}={latex(matrix)}\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}$$",
         ),
     )

@@ -2,13 +2,7 @@
 
 from fractions import Fraction
 
-from flint import arb
-
-from numerics.linear.modes import EventKind, Mode
-from numerics.scene.file import load_scene
-from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.section_3.itineraries import (
-    ARGUMENT,
     first_exit,
     largest_relative_speed,
     relative_speed_bound,
@@ -17,8 +11,7 @@ from paper_checks.claims.section_3.itineraries import (
 from paper_checks.claims.section_4.starts import time
 from paper_checks.claims.section_4.velocities import SLIPS, first_contact, literal_reading, velocities_scene
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.enclosure import compare, itinerary, rounded, solved, within
+from paper_checks.decide.enclosure import within
 from paper_checks.decide.euler_in_balls import run as run_euler
 
 
@@ -52,7 +45,7 @@ _AFTER = (Mode.STICK, Mode.SLIP_MINUS, Mode.STICK, Mode.SLIP_PLUS)
         clause(
             "slipping",
             r"At 4.7 s the bodies slip, «speed» mm/s.",
-            speed=Formula(r"|\dot z(4.7)|", "=...", Rational("2.3139"), decimal(_relative_speed)),
+            speed=decimal(r"|\dot z(4.7)|", "2.3139", _relative_speed),
         ),
         clause(
             "adheres",
@@ -66,7 +59,7 @@ _AFTER = (Mode.STICK, Mode.SLIP_MINUS, Mode.STICK, Mode.SLIP_PLUS)
             "for-ever",
             r"they stick and slip in turn without end, with $|\dot z|\leqslant\beta$, «bound» mm/s, falling from slip to slip to 0 as $t\to\infty$.",
             kernel="creeps-b-0.05 synchronisation",
-            bound=Formula(r"\beta", "=...", Rational("2.320"), decimal(_later_speed)),
+            bound=decimal(r"\beta", "2.320", _later_speed),
         ),
     ),
 )
@@ -104,13 +97,13 @@ def synchronisation_time(
                 "The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.05$, $\\dot x_1(0)=0.15$; "
                 f"$|\\dot z({float(time):g})|={slipping}$ mm/s."
             ),
-            *witnesses,
+            witnesses,
         ),
         carried("slipping"),
         carried("adheres"),
         carried(
             "for-ever",
-            largest_relative_speed(),
+            largest_relative_speed,
             within("bound of $|\\dot z|$ from the first exit on (m/s)", bound, "0.002320", "0.002321"),
         ),
         reading(
@@ -121,7 +114,6 @@ def synchronisation_time(
             "falling from slip to slip",
             r"$|\dot z(\tau_{n+1}+u)|<|\dot z(\tau_n+u)|$ at each time $u$ of the later slip, the slips beginning at $\tau_1<\tau_2<\cdots$",
         ),
-        derivation=ARGUMENT,
         figure="velocities",
     )
 

@@ -1,26 +1,17 @@
 """Section IV: the example system, its frequency and its equations."""
 
-import sympy as sp
-
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.section_3.filippov import bracket_is_off_in_slip
 from paper_checks.claims.section_5.points import PULL, START_AT_6MM
 from paper_checks.claims.words import *
-from theory.closed_forms import DampingRegime, residual, solution
-from theory.energy import stick_rate
 from theory.linear import root
 from theory.model import (
-    CASE_STUDY,
     RELATIVE_SIGN,
     STICTION_SIGN,
-    branch_named,
     case_study_closed_form,
     case_study_eigenfrequency,
     case_study_mode,
-    driven_equation,
-    driving_equation,
 )
-from theory.scaling import stick_frequency
 
 Z = Symbol(r"\mathrm{sgn}(\dot{z})", real=True)
 
@@ -76,10 +67,6 @@ def example_eigenfrequency() -> Case:
         rad/s.
         """,
         carried("frequency"),
-        derivation=(
-            equation(r"\ddot{x}_1", case_study_mode(0)[0]),
-            f"$$\\omega={latex(stick_frequency())}={latex(case_study_eigenfrequency())}$$",
-        ),
     )
 
 
@@ -144,7 +131,7 @@ def example_reduction() -> Case:
                 [printed.subs(s, sign).subs(acceleration1, case_study_mode(sign)[0]) for sign in (0, 1, -1)],
                 [case_study_mode(sign) for sign in (0, 1, -1)],
             ),
-            bracket_is_off_in_slip(),
+            bracket_is_off_in_slip,
             identity(
                 r"""
                 at $\dot z=0$, (12) and (4) differ by $\frac{1}{2}(1+\sigma)\,\ddot x_1$, $\sigma=\mathrm{sgn}(|\ddot
@@ -161,11 +148,6 @@ def example_reduction() -> Case:
                     sp.Equivalent(sp.Eq(Abs(acceleration), b), sp.Eq(100 * Abs(x1), b)),
                 ),
             ),
-        ),
-        derivation=(
-            "With $s=\\mathrm{sgn}(\\dot z)$ and $\\sigma=\\mathrm{sgn}(|\\ddot x_1|-b)$, (3) and (4) become",
-            equation(r"\ddot{x}_1", derived[0]),
-            equation(r"\ddot{x}_2", derived[1]),
         ),
     )
 
@@ -217,14 +199,5 @@ def example_two_modes() -> Case:
             identity("and $\\dot x_1=\\dot x_2$", together.v1, together.v2),
             identity("undamped: $\\dot E=0$", undamped(stick_rate())),
         ),
-        carried("sliding", dissipation.energy_rate(), dissipation.energy_never_grows()),
-        derivation=(
-            f"(13): $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={latex(case_study_mode(0))}$$",
-            *(
-                f"(14), $\\mathrm{{sgn}}(\\dot z)={sign}$: $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={latex(case_study_mode(sign))}$$"
-                for sign in (1, -1)
-            ),
-            equation("x_1(t)", together.x1),
-            equation("x_2(t)", together.x2),
-        ),
+        carried("sliding", dissipation.energy_rate, dissipation.energy_never_grows),
     )

@@ -1,22 +1,16 @@
 """Section V: the two descriptions of the system, and the bound of what friction hands on."""
 
-from fractions import Fraction
 from functools import partial
 
-import sympy as sp
-
-from numerics.linear.modes import Mode
-from numerics.scene.file import load_scene
 from paper_checks.claims.beyond import transfers
 from paper_checks.claims.section_2.signum import under_a_force
 from paper_checks.claims.section_3 import filippov as solutions
 from paper_checks.claims.section_5.points import EXAMPLE_PAIR, START_AT_6MM
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from theory.filippov import load, load_threshold, sliding_field
+from theory.filippov import load
 from theory.fraction import in_lowest_terms
 from theory.linear import root
-from theory.model import branch_named, case_study_mode, slip
+from theory.model import case_study_mode
 
 DRIVEN, DRIVING = symbols(r"\ddot{x}_2 \ddot{x}_1", real=True)
 
@@ -113,19 +107,14 @@ def two_descriptions() -> Case:
                 "Fig. 4 (a), $x_1(0)=0.006$, $b=0.5$, at rest: read literally, (11)–(12) stick permanently and give "
                 f"$x_2(0.2)=$ {text(literal)} m; the Filippov law, and (3)–(4), slip at once and give {text(filippov)} m."
             ),
-            *readings_part(),
+            readings_part,
             exhibit(
                 "for that literal stick, body 2 has $m_2|\\ddot x_2|>b$: more than friction can give",
                 START_AT_6MM,
                 (Abs(m2 * case_study_mode(0)[1]), ">", b),
             ),
         ),
-        carried("same", solutions.equivalent(), solutions.one_solution()),
-        derivation=(
-            *solutions.ARGUMENT,
-            equation(r"(\dot{x}_1,\dot{v}_1,\dot{v}_2)|_{S_0}", sliding_field().T),
-            equation(r"(\ddot{x}_1,\ddot{x}_2)|_{(13)}", Matrix(case_study_mode(0)).T),
-        ),
+        carried("same", solutions.equivalent, solutions.one_solution),
         figure="start-at-6mm",
     )
 
@@ -194,13 +183,7 @@ def acceleration_bound() -> Case:
                 (Abs(literal[1]), ">", b / m2),
             ),
         ),
-        carried("bound", transfers.gentle()),
+        carried("bound", transfers.gentle),
         carried("modes"),
         carried("equality"),
-        derivation=(
-            equation(r"\ddot{x}_2|_{\dot{z}>0}", branch_named("slip+").acceleration2),
-            equation(r"\ddot{x}_2|_{\dot{z}<0}", branch_named("slip-").acceleration2),
-            equation(r"\ddot{x}_2|_{\mathrm{stick}}", sliding_field(damped=True)[2]),
-            f"On $S_0$: $$|{latex(load(damped=True))}|\\leqslant {latex(load_threshold())}$$",
-        ),
     )

@@ -1,15 +1,9 @@
 """Section V: control through the interface: damping, tracking, an interface that varies."""
 
-from numerics.linear.modes import Mode
-from numerics.scene import Force, Pair, Scene, State
 from paper_checks.claims.beyond import contraction, response, tolerance
 from paper_checks.claims.letters import S, either_sign
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.enclosure import ball, compare, exact, itinerary, rounded, solved
-from theory import forced
-from theory.energy import energy, sigma, sigma_other
-from theory.model import stick
+from theory.energy import energy
 
 LIPSCHITZ = Symbol("ell", positive=True)
 APART = {b: 2, forced.b_other: 1, v1: 1, v2: 0, v1_other: 3, v2_other: 0}
@@ -52,7 +46,7 @@ def driven_body_steered() -> Case:
             "could be controlled, the motion variables of interest being $(x_2,\\dot x_2)$",
             "some force takes $(x_2,\\dot x_2)$ from $(y,0)$ to $(y+D,0)$ in each time $T>2\\sqrt{m_2|D|/b}$, for all $y$ and $D$, and along each absolutely continuous $\\dot x_2(t)$ with, both from $v_1=v_2$, $|\\ddot x_2|<b/m_2$ at almost every time",
         ),
-        carried("source", contraction.energy_rate()),
+        carried("source", contraction.energy_rate),
     )
 
 
@@ -174,9 +168,9 @@ def damping_for_tracking() -> Case:
                 "$v_2(0)=\\dot x_{\\mathrm{ref}}(0)$, body 1 at rest at $0$: after 60 s $v_2$ is right to $10^{-6}$ m/s, and $x_2-x_{\\mathrm{ref}}=$ "
                 f"${rounded(1000 * apart, 1)}$ mm, where $x_{{\\mathrm{{ref}}}}$ has the amplitude 354 mm."
             ),
-            *offset,
+            offset,
         ),
-        carried("approach", response.approach()),
+        carried("approach", response.approach),
         carried(
             "damper",
             kernel.step("system-contraction"),
@@ -187,9 +181,9 @@ def damping_for_tracking() -> Case:
                 (forced.place_dependent_damper_rate(), ">", 0),
             ),
         ),
-        carried("place", tolerance.blind_to_x2()),
-        carried("offset", *offset),
-        free_difference(),
+        carried("place", tolerance.blind_to_x2),
+        carried("offset", offset),
+        free_difference,
     )
 
 

@@ -19,7 +19,6 @@ from numerics.scene import Pair
 from numerics.scene.file import load_reference, load_scene
 from paper_checks.decide.enclosure import rounded
 from paper_checks.drawing import under_a_force as drawing
-from paper_checks.drawing.style import Figures, house_style
 from paper_checks.report.content.blocks import Block, Heading, Paragraph, Section, Table
 from paper_checks.report.content.phrases import formula, picture
 from theory.forced import breaking_damping
@@ -39,11 +38,6 @@ def section() -> Section:
     return Section(ID, TITLE, tuple(block for part in parts for block in part()))
 
 
-def figures() -> Figures:
-    """Return how the chapter's figures are drawn in the house style, by name."""
-    return {name: house_style()(draw) for name, draw in DRAWINGS.items()}
-
-
 PICTURED = {
     "entrainment-threshold": "thresholds-over-frequency",
     "forced-resonance-bound": "resonance",
@@ -54,15 +48,6 @@ PICTURED = {
     "ring-of-tolerance": "tolerance-ring-of-a-scene",
 }
 """The figure of the chapter that a claim shows too, by the claim's id."""
-DRAWINGS: Figures = {
-    "thresholds-over-frequency": drawing.thresholds_over_frequency,
-    "resonance": drawing.resonance,
-    "tracked-reference": drawing.tracked_reference,
-    "fastest-transfer": drawing.transfer,
-    "cheapest-transfer": drawing.cheapest,
-    "tolerance-ring-of-a-scene": drawing.tolerance_ring,
-    "drift-against-asymmetry": drawing.drift_against_asymmetry,
-}
 
 
 def _formula(row: str, clause: str, name: str) -> str:

@@ -74,8 +74,8 @@ def progress(total: int) -> Iterator[Progress]:
 
 
 @contextmanager
-def parts(total: int) -> Iterator[Callable[[str], None]]:
-    """Show a bar for `total` chapters and figures; call what is yielded with the name of each that is finished."""
+def figures(total: int) -> Iterator[Callable[[str], None]]:
+    """Show a bar for `total` figures; call what is yielded with the name of each that is finished."""
     if not sys.stderr.isatty():
         with shown_steps() as say:
             yield say

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from numerics.exits import path
 
@@ -99,38 +99,25 @@ def _made(options: argparse.Namespace, rows: Sequence[Row], trade: Trade, compla
     """Yield the files of each form that is wanted; why a figure was not drawn is added to the complaints."""
     from numerics.tasks import available_cores
     from paper_checks.claims import CLAIMS
-    from paper_checks.report.content import speed
+    from paper_checks.report.content import speed, under_a_force
     from paper_checks.report.content.document import document
     from paper_checks.report.formats import progress
-    from paper_checks.report.output import (
-        files,  # with it comes matplotlib
-        parts,
-    )
-    from paper_checks.report.output.pictures import drawn, shown
+    from paper_checks.report.output import files, pictures  # with them comes matplotlib
 
-    wanted, report, figures = options.format, document(rows), parts.figures(trade)
-    whole = "html" in wanted and len(rows) == len(CLAIMS)  # chapters are pages only
-    chapters = tuple(map(parts.Chapter, parts.chapters(trade))) if whole else ()
-    drawings = dict.fromkeys(
-        parts.Drawing(name, files.FIGURES_OF[form])
-        for form in wanted
-        for name in (figures if whole and form == "html" else files.shown_in(form, report))
-    )
-    found: dict[parts.Part, Any] = {}
-    with progress.parts(len(chapters) + len(drawings)) as told:
+    whole = "html" in options.format and len(rows) == len(CLAIMS)  # chapters are pages only
+    chapters = [under_a_force.section(), speed.section(trade)] if whole else []
+    report = document(rows, chapters, [*speed.answers(trade)] if whole else [])
+    names = {form: files.shown_in(form, report) for form in options.format}
+    drawings = dict.fromkeys(pictures.Drawing(name, files.FIGURES_OF[form]) for form in names for name in names[form])
+    found: dict[pictures.Drawing, bytes | pictures.Undrawn] = {}
+    with progress.figures(len(drawings)) as told:
         jobs = options.jobs or (available_cores() if options.program else 1)
-        for part, made in parts.made([*chapters, *drawings], trade, jobs):
-            told(part.name)
-            found[part] = made
-    if whole:
-        report = document(rows, [found[one] for one in chapters], [*speed.answers(trade)])
-    for form in wanted:
-        kind = files.FIGURES_OF[form]
-        pictures = {
-            name: found.get(parts.Drawing(name, kind)) or drawn(figures, name, kind)
-            for name in files.shown_in(form, report)
-        }
-        yield files.made(form, report, shown(pictures, complaints))
+        for one, made in pictures.made([*drawings], trade, jobs):
+            told(one.name)
+            found[one] = made
+    for form, some in names.items():
+        drawn = {name: found[pictures.Drawing(name, files.FIGURES_OF[form])] for name in some}
+        yield files.made(form, report, pictures.shown(drawn, complaints))
 
 
 def is_the_source(options: argparse.Namespace, complain: Callable[[str], None]) -> int:

@@ -18,9 +18,9 @@ PAPER = (
     "itinerary-that-merges",
     "itinerary-that-creeps",
 )
-UNIT = re.compile(r"\((mm|mm/s|s|J|N|dimensionless)\)$")
-WORDLESS = ("two-bodies",)
-"""A drawing without axes."""
+UNIT = re.compile(r"\((m|mm|m/s|mm/s|rad/s|s|J|N|dimensionless)\)$")
+WORDLESS = ("two-bodies", "tracked-reference", "fastest-transfer", "cheapest-transfer")
+"""A drawing without axes, and those of `numerics` whose panels share one."""
 DIRECT = ("force-needed",)
 """Their curves are named where they are."""
 

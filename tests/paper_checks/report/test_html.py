@@ -88,9 +88,7 @@ def test_a_reader_without_a_mouse_or_without_eyes_finds_the_way(pages):
     assert {"#main", html.EXPLORE} <= {*links(pages[html.FRONT])}
 
 
-def test_the_first_page_counts_names_what_fails_and_knows_the_weakest_step(front, rows):
-    kinds = sorted(row.established_by.value if row.established_by else "none" for row in rows)
-    assert sorted(re.findall(r'data-step="(\w+)"', front)) == kinds
+def test_the_first_page_counts_and_names_what_fails(front, rows):
     failed = front[front.index('<h2 id="refuted">') : front.index('<h2 id="rows">')]
     assert 'href="#example-stiction-never-violated"' in failed
     assert 'href="#stiction-bracket"' not in failed  # corrected, not refuted

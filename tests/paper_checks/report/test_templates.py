@@ -90,7 +90,7 @@ def chapter(page, name):
 
 
 def told(page, name):
-    """What is told of a claim before its derivation and its steps: pairs of label and text."""
+    """What is told of a claim before its lines of the derivation and its steps: pairs of label and text."""
     article = page.partition(f'<details class="claim" id="{name}"')[2].partition("<article")[2]
     article = re.split('<details class="folded">|<p><strong>Derivation', article)[0]
     return {
@@ -126,7 +126,7 @@ def test_each_label_has_its_own_text(page):
     assert "<summary>All 3 steps</summary>" in article
 
 
-def test_all_steps_of_a_claim_its_figure_and_its_derivation_are_there(page, rows):
+def test_all_steps_of_a_claim_and_its_figure_are_there(page):
     article = page.partition('<details class="claim" id="example-stiction-never-violated"')[2].partition("</article>")[
         0
     ]
@@ -138,8 +138,6 @@ def test_all_steps_of_a_claim_its_figure_and_its_derivation_are_there(page, rows
     assert re.fullmatch(r"S?\d+(, S?\d+)*", whole[3])
     elsewhere = re.search("theorems of the kernel.</strong>(.*?)</p>", article)[1]
     assert elsewhere.count("<code>") == int(re.search(r"All (\d+) steps", article)[1])
-    assert article.partition("<p>Derivation:</p>")[2].count("<li>") == len(rows[1].finding.derivation)
-    assert re.search(r"<li>With <(math|span)", article)
     own = page.partition('<details class="claim" id="rate-one-over-t"')[2].partition("</article>")[0]
     head, step = lines_of(own)[-2:]
     assert head == ["step", "kind", "checked statement", "result"]

@@ -89,8 +89,7 @@ def test_each_side_of_a_sharp_inequality_counts_and_what_is_not_settled_at_a_poi
     [("0.79263", True), ("0.79264", False), ("0.79262", False), ("0.79261", False), ("0.792631", None)],
 )
 def test_digits_are_those_of_the_enclosed_value(digits, passed):
-    value = decimal(lambda: arb("0.792631").union(arb("0.792639")))
-    found = Formula("x", "=...", sp.Rational(digits), value)
+    found = decimal("x", digits, lambda: arb("0.792631").union(arb("0.792639")))
     assert (found.latex, found.evidence().passed) == (rf"x={digits}\ldots", passed)
 
 

@@ -1,0 +1,31 @@
+"""Figures in several processes: the same bytes as in one, and what is lost where one of them ends."""
+
+import pytest
+from dying_process import dies_of_two_bodies
+
+from numerics.trade.recorded import recorded
+from paper_checks.report.output import pictures
+
+DRAWINGS = [pictures.Drawing(*one) for one in (("two-bodies", "svg"), ("force-needed", "pdf"), ("start-at-6mm", "svg"))]
+
+
+@pytest.fixture(scope="module")
+def trade():
+    return recorded(None)
+
+
+@pytest.fixture(scope="module")
+def alone(trade):
+    return dict(pictures.made(DRAWINGS, trade))
+
+
+def test_several_processes_draw_the_same(trade, alone):
+    assert dict(pictures.made(DRAWINGS, trade, jobs=2)) == alone
+    assert all(one.startswith(b"<?xml" if part.form == "svg" else b"%PDF") for part, one in alone.items())
+
+
+def test_a_process_that_ends_costs_its_own_figure_only(trade, alone, monkeypatch):
+    monkeypatch.setattr(pictures, "_made", dies_of_two_bodies)
+    found = dict(pictures.made(DRAWINGS, trade, jobs=2))
+    lost = pictures.Undrawn("the figure two-bodies was not drawn: its process ended")
+    assert found == alone | {DRAWINGS[0]: lost}
