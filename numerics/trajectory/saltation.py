@@ -18,11 +18,11 @@ each cell (cells.py), and a crossing of a knot, where the field is continuous, i
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache, partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from flint import arb
@@ -32,7 +32,6 @@ from numerics.errors import NotDifferentiable
 from numerics.linear.cells import cells_of, mode_in
 from numerics.linear.model import DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies
 from numerics.linear.pieces import ExactPiece, pieces_of
-from numerics.linear.system import LocalNorm
 from numerics.linear.ties import signal_form
 from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
@@ -76,7 +75,8 @@ class Chain:
         self.scene, self.legs, self.pieces, self.cells = scene, legs, pieces_of(scene), cells_of(scene)
         self.column = {name: index for index, name in enumerate(names)}
         self.bodies, self.is_fixed = Bodies.of(scene.pair), scene.pair.is_fixed
-        self.variation, self.norms = cache(partial(Variation, scene, self.column)), dict[Any, LocalNorm]()
+        self.variation = cache(partial(Variation, scene, self.column))
+        self.norm = self._of(legs[0]).norm
         self.t: list[Array] = []
         self.y: list[Array] = []
         self.before: list[Array] = []
@@ -127,13 +127,6 @@ class Chain:
     def _of(self, leg: Leg) -> Variation:
         return self.variation(leg.piece, leg.side, leg.cell)
 
-    def _norm(self, leg: Leg) -> LocalNorm:
-        mode = self._of(leg).mode
-        key = mode.layout, bool(leg.side), mode.cell
-        if key not in self.norms:
-            self.norms[key] = LocalNorm(mode, self.cells.pulling if self.cells else None)
-        return self.norms[key]
-
     def _driven(self, leg: Leg, y: Array) -> Array:
         """Return derivatives of a state at the start of a leg with those of the belt's velocity, if there is a belt."""
         if not self.is_fixed:
@@ -147,21 +140,22 @@ class Chain:
 
     def _ahead(self, index: int, tau: arb) -> CarriedDerivatives:
         """Return the derivatives tau (s) after the start of a leg: of the point that is carried, and the bounds."""
-        leg, (y, norm, far, place), own = self.legs[index], self.starts[index], self._norm(self.legs[index])
-        ahead = self._of(leg).over(leg.state, leg.start, tau, y)
+        leg, (y, norm, far, place) = self.legs[index], self.starts[index]
+        variation = self._of(leg)
+        ahead, own = variation.over(leg.state, leg.start, tau, y), variation.norm
         norm = norm * own.growth(tau.abs_upper())
         place = place + norm * own.kappa * abs(tau) * abs(leg.side)
         return CarriedDerivatives(ahead, norm, far + norm / own.root_m1 * abs(tau), place)
 
     def _pointed(self, found: CarriedDerivatives) -> CarriedDerivatives:
         """Return the middles of balls, their radii added to the bounds."""
-        (x1, v1, x2, v2), own = _radius(found.y), self._norm(self.legs[0])
+        (x1, v1, x2, v2), own = _radius(found.y), self.norm
         off = found.norm + x1 * own.root_a2 + v1 * own.root_m1 + v2 * own.root_m2 + (x1 + x2) * own.root_g
         return CarriedDerivatives(_middle(found.y), off, found.far + x1, found.place + x1 + x2)
 
     def _enclosed(self, found: CarriedDerivatives) -> Array:
         """Return balls that hold the true derivatives."""
-        own = self._norm(self.legs[0])
+        own = self.norm
         x1 = found.norm / own.root_a2 if own.root_a2 > 0 else found.far
         v2 = 0 * found.norm if self.is_fixed else found.norm / own.root_m2
         return _widened(found.y, np.array([x1, found.norm / own.root_m1, found.place + x1, v2]))
@@ -178,7 +172,7 @@ class Chain:
             found = self._pointed(found)
         return found._replace(y=self._driven(after, found.y)) if self.is_fixed else found
 
-    def _across(self, index: int, found: CarriedDerivatives, shifts: Sequence[Shift]) -> CarriedDerivatives:
+    def _across(self, index: int, found: CarriedDerivatives, shifts: Iterable[Shift]) -> CarriedDerivatives:
         """Return the derivatives at the start of a leg behind what moves in time; those of an event are kept."""
         enclosed, leg = self._enclosed(found), self.legs[index]
         t, moving, y = self._zeros(), +enclosed, +found.y
@@ -197,25 +191,15 @@ class Chain:
 
     def _by_guard(self, leg: Leg, after: Leg, ended: CarriedDerivatives) -> Shift:
         """Return how an event by a guard moves."""
-        norm, here = self._norm(leg), (after.state, after.start)
-        before = field(self._of(leg).mode, *here)
-        by_state, moved, rate = self._of(leg).guard(after.side, *here, ended.y)
-        off = ended.norm * norm.most(by_state.tolist()) + ended.place * abs(by_state[2])
-        off = off + (ended.far * abs(by_state[0] + by_state[2]) if not norm.root_a2 > 0 else 0)
+        own, here = self._of(leg), (after.state, after.start)
+        by_state, moved, rate = own.guard(after.side, *here, ended.y)
+        off = ended.norm * own.norm.most(by_state.tolist()) + ended.place * abs(by_state[2])
+        off = off + (ended.far * abs(by_state[0] + by_state[2]) if not own.norm.root_a2 > 0 else 0)
         behind = field(self._of(after).mode, *here) if leg.side or self.bodies.static != 1 else None
-        return Shift(-moved / rate, off / abs(rate), before, behind)
+        return Shift(-moved / rate, off / abs(rate), field(own.mode, *here), behind)
 
-    def _by_jumps(self, index: int) -> list[Shift]:
-        """Return how the starts move where a leg begins a piece."""
-        found = []
-        for name, fields in self._jumps(index).items():
-            t = self._zeros()
-            t[self.column[name]] += 1
-            found.append(Shift(t, self._zeros(), *fields))
-        return found
-
-    def _jumps(self, index: int) -> dict[str, tuple[Array, Array]]:
-        """Return y' before and after each start at the beginning of a leg that begins a piece, by its name.
+    def _by_jumps(self, index: int) -> Iterator[Shift]:
+        """Yield how each start at the beginning of a leg that begins a piece moves it.
 
         Where signals jump together, each does so after the others. What does not jump, or does nothing in stick, is
         left out. Raises NotDifferentiable if the order of two jumps counts.
@@ -225,21 +209,20 @@ class Chain:
         before = self.pieces[last.piece] if index else _in_front(here, scene)
         # of signals that begin here, and whose start counts
         names = {k: name for k, name in enumerate(_starts(scene, here.start)) if name in self.column}
-        jumping = [k for k in names if _jumps_at(before, here, k)]
-        alone = [_with(here, k, before) for k in jumping]  # the piece in front of each jump alone
-        fields = [self._field_from_contact(one, *at, leg) for one in alone]
-        if index and len(jumping) > 1 and (leg.is_event or not (leg.side or literal or all(one[1] for one in fields))):
-            both = " and ".join(SIGNALS[k] for k in jumping)
+        alone = {k: _with(here, k, before) for k in names if _jumps_at(before, here, k)}
+        fields = {k: self._field_from_contact(one, *at, leg) for k, one in alone.items()}
+        is_held = leg.side or literal or all(surely for _, surely in fields.values())
+        if index and len(alone) > 1 and (leg.is_event or not is_held):
+            both = " and ".join(SIGNALS[k] for k in alone)
             when = f"at t = {float(leg.start):.6g} s {both} both jump, and which of them comes first"
             raise NotDifferentiable(f"this scene has no derivatives: {when} counts; change one of them slightly")
-        found, after = {}, self._field(here, *at, leg)
-        for k, one, (from_contact, _) in zip(jumping, alone, fields, strict=True):
-            name = names[k]
-            if not index and scene.initial.v1 == scene.initial.v2 and not literal and not self.is_fixed:
-                found[name] = from_contact, after
-            elif k != FRICTION or leg.side or last.side:
-                found[name] = self._field(one, *at, last), after
-        return found
+        from_contact = not (index or literal or self.is_fixed) and scene.initial.v1 == scene.initial.v2
+        for k, one in alone.items():
+            if from_contact or k != FRICTION or leg.side or last.side:
+                t = self._zeros()
+                t[self.column[names[k]]] += 1
+                jump = fields[k][0] if from_contact else self._field(one, *at, last), self._field(here, *at, leg)
+                yield Shift(t, self._zeros(), *jump)
 
     def _field(self, piece: ExactPiece, t: arb, state: Sequence[arb], leg: Leg) -> Array:
         """Return (x1, v1, x2, v2)' of a state in the mode of a leg, under a piece."""

@@ -235,8 +235,8 @@ def test_a_force_from_the_start_on_breaks_a_stick_towards_either_side():
 
 
 def forgetful_guard(self, *given):
-    found = HONEST_GUARD(self, *given)
-    return found._replace(moved=found.by_state @ given[-1])
+    by_state, _, rate = HONEST_GUARD(self, *given)
+    return by_state, by_state @ given[-1], rate
 
 
 def forgetful_numbers(word):
@@ -261,7 +261,7 @@ HONEST_GUARD, HONEST_OVER = Variation.guard, Variation.over
     ("name", "owner", "part", "wrong"),
     [
         ("resonance-in-stick", Variation, "over", forgetful_numbers("sines")),
-        ("friction-by-pieces", Chain, "_jumps", lambda *_: {}),
+        ("friction-by-pieces", Chain, "_by_jumps", lambda *_: ()),
         ("stick", Variation, "guard", forgetful_guard),
         ("critical-slip", Variation, "over", forgetful_numbers("")),
     ],
