@@ -127,13 +127,14 @@ class Chain:
     def _of(self, leg: Leg) -> Variation:
         return self.variation(leg.piece, leg.side, leg.cell)
 
-    def _driven(self, leg: Leg, y: Array) -> Array:
-        """Return derivatives of a state at the start of a leg with those of the belt's velocity, if there is a belt."""
+    def _driven(self, leg: Leg, y: Array, t: Array | int = 0) -> Array:
+        """Return derivatives of a state where a leg starts, which moves by `t`, with those of the belt's velocity."""
         if not self.is_fixed:
             return y
-        mode, found = self._of(leg), +y
-        row = np.array([Ball.number(one) for one in mode.rows.others[DRIVEN]])
-        found[3] = row @ mode.begun(leg.state, leg.start, y)[1]
+        own, found = self._of(leg), +y
+        row = np.array([Ball.number(one) for one in own.rows.others[DRIVEN]])
+        z, moved = own.begun(leg.state, leg.start, y)
+        found[3] = row @ moved + row @ (own.A @ z) * t
         if not leg.side:
             found[1] = found[3]
         return found
@@ -185,7 +186,7 @@ class Chain:
                     moving[1], y[1] = moving[3], found.y[3] + (one.before[3] - one.behind[1]) * one.t
         if leg.is_event:
             self.t.append(t)
-            self.y.append(moving)
+            self.y.append(self._driven(leg, moving, t))
             self.before.append(enclosed)
         return self._pointed(found._replace(y=y))
 

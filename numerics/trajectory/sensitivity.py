@@ -107,7 +107,7 @@ def sensitivities(
     """Return the sensitivities of a trajectory; with `t`, the derivatives of (x1, v1, x2, v2) at the time(s) t (s).
 
     `wrt` are names of `parameters(scene)`, in the order of the last axis; only these are computed. Left out: all of
-    them, but for the numbers of a signal of more than 100 pieces.
+    them, but for the numbers of a signal of more than 100 pieces. By the b = 0 of a piece there is no derivative.
 
     With `t` an array of shape (4, p) for a number, (4, p, ...) for an array of any shape: partial derivatives at that
     fixed time (0 by `until`). At an event they jump, and `side`
@@ -164,7 +164,7 @@ def sensitivities(
 def _names(trajectory: Trajectory, wrt: Sequence[str] | None) -> tuple[str, ...]:
     """Return the names of the numbers by which to derive. Raises ValueError for what names none."""
     scene = trajectory.scene
-    known = parameters(scene)
+    known = {name: one for name, one in parameters(scene).items() if one or not name.endswith("].b")}
     if wrt is None:
         tables = tuple(f"{name}[" for name, pieces in scene.pieces.items() if len(pieces) > _MOST_PIECES)
         return tuple(name for name in known if not name.startswith(tables))
