@@ -182,11 +182,11 @@ def _by_numbers(piece: Piece, block: Sequence[int], z: Array, t: arb, sign: int)
         yield f"polynomial[{j}]", first, np.array([perm(j, k) * powers[j - k] for k in range(j + 1)])
         powers.append(powers[-1] * (t - Ball.number(piece.start)))
     for k, sine in enumerate(piece.sines):
-        at = sines + 2 * k
-        wave = z[at : at + 2]
-        turned = np.array([wave[1], -wave[0]])
-        named = {"amplitude": wave / Ball.number(sine.amplitude), "phase": turned, "omega": turned * t}
-        yield from ((f"sines[{k}].{key}", at, by) for key, by in named.items())
+        height, omega, phase = (Ball.number(one) for one in (sign * sine.amplitude, sine.omega, sine.phase))
+        s, c = (omega * t + phase).sin_cos()
+        turned = np.array([height * c, -height * s])
+        named = {"amplitude": sign * np.array([s, c]), "phase": turned, "omega": turned * t}
+        yield from ((f"sines[{k}].{key}", sines + 2 * k, by) for key, by in named.items())
 
 
 def _acting(scene: Scene, t: Fraction) -> list[tuple[str, Piece]]:
