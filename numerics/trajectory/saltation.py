@@ -66,8 +66,8 @@ class Shift(NamedTuple):
 class Chain:
     """Derivatives along the legs of one trajectory; to be used in the balls' context.
 
-    `t`, `y`: of the times (p,) and of the states (4, p) of all events, which move; `before`: of the state at the fixed
-    time right before each, (4, p); `starts`: what is carried into every leg.
+    `t`, `y`: of the times (p,) and of the states (4, p) of all events, which move; `starts`: what is carried into every
+    leg.
     """
 
     def __init__(self, scene: Scene, legs: Sequence[Leg], names: Sequence[str]) -> None:
@@ -79,7 +79,6 @@ class Chain:
         self.norm = self._of(legs[0]).norm
         self.t: list[Array] = []
         self.y: list[Array] = []
-        self.before: list[Array] = []
         y = self._zeros(4)
         for place, name in enumerate(STATE):
             if name in self.column:
@@ -187,7 +186,6 @@ class Chain:
         if leg.is_event:
             self.t.append(t)
             self.y.append(self._driven(leg, moving, t))
-            self.before.append(enclosed)
         return self._pointed(found._replace(y=y))
 
     def _by_guard(self, leg: Leg, after: Leg, ended: CarriedDerivatives) -> Shift:
