@@ -30,7 +30,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
 from numerics.linear.cells import cells_of, mode_in
-from numerics.linear.model import DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies
+from numerics.linear.model import DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies, add_signal
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.ties import signal_form
 from numerics.scene import Law, Piece, Scene
@@ -106,16 +106,14 @@ class Chain:
 
     def energy(self, leg: Leg, at: tuple[arb, Sequence[arb]], y: Array, t: Array) -> Array:
         """Return the derivatives of the energy, J, (p,), from those of a state at a time in a leg, and of that time."""
-        (now, state), pair, number, own = at, self.scene.pair, Ball.number, self._of(leg)
-        z, moved = own.begun(state, now, y)
-        wall = np.full(len(z), arb(0))
-        for place, factor in own.mode.signal(WALL):
-            wall[place] = number(factor)
-        stretched, by_wall = state[0] - wall @ z, wall @ moved + wall @ (own.A @ z) * t
-        found = (y[0] - by_wall) * (number(pair.a2) * stretched) + y[1] * (number(pair.m1) * state[1])
-        if not self.is_fixed:
-            found = found + y[3] * (number(pair.m2) * state[3])
-        for name, value in (("a2", stretched), ("m1", state[1]), ("m2", state[3])):
+        (now, state), own = at, self._of(leg)
+        wall = np.zeros(own.mode.size, dtype=object)
+        add_signal(wall, own.mode.layout.blocks[WALL], 1)
+        place, by_wall = own.moving(wall, state, now, y, t)
+        parts = ("a2", state[0] - place, y[0] - by_wall), ("m1", state[1], y[1]), ("m2", state[3], y[3])
+        found = self._zeros()
+        for name, value, moved in parts[: 2 if self.is_fixed else 3]:
+            found = found + moved * (Ball.number(getattr(self.scene.pair, name)) * value)
             if name in self.column:
                 found[self.column[name]] += value * value / 2
         return found
@@ -131,9 +129,7 @@ class Chain:
         if not self.is_fixed:
             return y
         own, found = self._of(leg), +y
-        row = np.array([Ball.number(one) for one in own.rows.others[DRIVEN]])
-        z, moved = own.begun(leg.state, leg.start, y)
-        found[3] = row @ moved + row @ (own.A @ z) * t
+        _, found[3] = own.moving(own.rows.others[DRIVEN], leg.state, leg.start, y, t)
         if not leg.side:
             found[1] = found[3]
         return found

@@ -143,6 +143,11 @@ class Variation:
                     found[first : first + len(by), place] += by
         return z, found
 
+    def moving(self, row: Array, state: Sequence[arb], t: arb, y: Array, late: Array | int) -> tuple[arb, Array]:
+        """Return an exact row of z at a time (s), and its derivatives where that moves by `late`."""
+        (z, moved), here = self.begun(state, t, y), _balls(row)
+        return here @ z, here @ moved + here @ (self.A @ z) * late
+
     def over(self, state: Sequence[arb], t: arb, tau: arb, y: Array) -> Array:
         """Return the derivatives of the state tau (s) after the start of a motion, from those at its start, (4, p)."""
         z, moved = self.begun(state, t, y)
