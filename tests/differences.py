@@ -84,9 +84,9 @@ def is_first_start(scene: Scene, name: str) -> bool:
     return name.endswith("from") and parameters(scene)[name] == 0
 
 
-def numbers(run: Any, events: int) -> list[arb]:
-    """The final state, its energy and the last so many events."""
-    found = [*run.final_state, run.final_energy]
+def numbers(run: Any, events: int, t: Fraction) -> list[arb]:
+    """The final state, its energy, the state at a time and the last so many events."""
+    found = [*run.final_state, run.final_energy, *run.sol(t)]
     for event in run.events[len(run.events) - events :]:
         found += [event.t, *event.y]
     return found
@@ -111,19 +111,20 @@ def same(base: Any, near: Any) -> bool:
 
 def deviation(base: Any, direction: Mapping[str, Fraction], sides: tuple[int, ...] = (1, -1)) -> Deviation:
     """Compare derivatives in a direction with a difference, to the first side that has the same events, if one does."""
-    scene, found = base.scene, sensitivities(base, wrt=list(direction))
+    scene, names, middle = base.scene, list(direction), Fraction(3 * float(base.end_time)) / 8
+    found, within = sensitivities(base, wrt=names), sensitivities(base, middle, wrt=names)
     way = {name: one * (abs(parameters(scene)[name]) or 1) for name, one in direction.items()}
     solved = ((k, neighbour(base, moved(scene, {name: k * STEP * one for name, one in way.items()}))) for k in sides)
     nears = [one for one in solved if one[1] is not None]
     side, near = next((one for one in nears if same(base, one[1])), nears[0])
     events = len(base.events) if same(base, near) else 0
     with base.context():
-        rows = [*found.final, found.energy]
+        rows = [*found.final, found.energy, *within]
         for t, y in list(zip(found.t, found.y, strict=True))[len(found.t) - events :]:
             rows += [t, *y]
         terms = [[slope * Ball.number(one) for slope, one in zip(row, way.values(), strict=True)] for row in rows]
         sizes = [sum(map(abs, row), arb(0)) for row in terms]
-        ends = zip(numbers(near, events), numbers(base, events), strict=True)
+        ends = zip(numbers(near, events, middle), numbers(base, events, middle), strict=True)
         off = [
             sum(row, arb(0)) - (one - two) * Ball.number(side / STEP)
             for row, (one, two) in zip(terms, ends, strict=True)
