@@ -21,7 +21,6 @@ from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -29,10 +28,10 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
-from numerics.linear.cells import cells_of, mode_in
+from numerics.linear.cells import mode_in
 from numerics.linear.model import DRIVEN, EDGE, FRICTION, LOAD, WALL, Bodies, add_signal
 from numerics.linear.modes import UNDECIDED, mode_on_surface
-from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.linear.pieces import ExactPiece
 from numerics.linear.ties import signal_form
 from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
@@ -73,10 +72,10 @@ class Chain:
 
     def __init__(self, scene: Scene, legs: Sequence[Leg], names: Sequence[str]) -> None:
         """Follow all legs; `names` are those of the numbers, the last axis of every array."""
-        self.scene, self.legs, self.pieces, self.cells = scene, legs, pieces_of(scene), cells_of(scene)
+        self.scene, self.legs = scene, legs
         self.column = {name: index for index, name in enumerate(names)}
         self.bodies, self.is_fixed = Bodies.of(scene.pair), scene.pair.is_fixed
-        self.variation = cache(partial(Variation, scene, self.column))
+        self.variations = dict[int, Variation]()
         self.norm = self._of(legs[0]).norm
         self.t: list[Array] = []
         self.y: list[Array] = []
@@ -123,7 +122,10 @@ class Chain:
         return np.full((*rows, len(self.column)), arb(0))
 
     def _of(self, leg: Leg) -> Variation:
-        return self.variation(leg.piece, leg.side, leg.cell)
+        key = id(leg.mode)  # the hash of a mode takes long
+        if key not in self.variations:
+            self.variations[key] = Variation(self.scene, self.column, leg.mode, leg.cell)
+        return self.variations[key]
 
     def _driven(self, leg: Leg, y: Array, t: Array | int = 0) -> Array:
         """Return derivatives of a state where a leg starts, which moves by `t`, with those of the belt's velocity."""
@@ -201,8 +203,8 @@ class Chain:
         left out. Raises NotDifferentiable if the order of two jumps counts.
         """
         leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
-        here, at = self.pieces[leg.piece], (leg.start, leg.state)
-        before = self.pieces[last.piece] if index else _in_front(here, scene)
+        here, at = leg.mode.piece, (leg.start, leg.state)
+        before = last.mode.piece if index else _in_front(here, scene)
         # of signals that begin here, and whose start counts
         names = {k: name for k, name in enumerate(_starts(scene, here.start)) if name in self.column}
         alone = {k: _with(here, k, before) for k in names if _jumps_at(before, here, k)}
@@ -217,15 +219,16 @@ class Chain:
                 t = self._zeros()
                 t[self.column[names[k]]] += 1
                 side = 0 if sides[k] == UNDECIDED else sides[k]  # on the edge both modes agree
-                mode = leg._replace(side=side, cell=(0, leg.cell[1])) if touches else last
-                yield Shift(t, self._zeros(), self._field(one, *at, mode), self._field(here, *at, leg))
+                mode = (side, (0, leg.cell[1])) if touches else (last.side, last.cell)
+                fields = self._field(one, *at, *mode), self._field(here, *at, leg.side, leg.cell)
+                yield Shift(t, self._zeros(), *fields)
 
-    def _field(self, piece: ExactPiece, t: arb, state: Sequence[arb], leg: Leg) -> Array:
-        """Return (x1, v1, x2, v2)' of a state in the mode of a leg, under a piece."""
-        mode, state = mode_in(self.scene, piece, leg.side, leg.cell), list(state)
+    def _field(self, piece: ExactPiece, t: arb, state: Sequence[arb], side: int, cell: tuple[int, int]) -> Array:
+        """Return (x1, v1, x2, v2)' of a state in a mode under a piece."""
+        mode, state = mode_in(self.scene, piece, side, cell), list(state)
         if self.is_fixed:
             state[3] = _dot(mode.rows.others[DRIVEN], mode.begin(state, t))
-            state[1] = state[1] if leg.side else state[3]
+            state[1] = state[1] if side else state[3]
         return field(mode, state, t)
 
     def _side_from_contact(self, piece: ExactPiece, t: arb, state: Sequence[arb], leg: Leg) -> int:

@@ -25,7 +25,7 @@ from flint import arb, arb_mat, fmpq, fmpq_series
 
 from numerics.arithmetic.ball import Ball, magnitude_bits
 from numerics.arithmetic.precision import precision
-from numerics.linear.cells import cells_of, mode_in
+from numerics.linear.cells import cells_of
 from numerics.linear.model import (
     FIRST,
     FRICTION,
@@ -39,9 +39,8 @@ from numerics.linear.model import (
     put_rows,
     spread_omegas,
 )
-from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot
-from numerics.linear.system import LinearMode, LocalNorm, Motion
+from numerics.linear.system import LinearMode, LocalNorm
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.trajectory import Trajectory
@@ -56,11 +55,9 @@ _slopes = np.frompyfunc(lambda x: x[1] if isinstance(x, fmpq_series) else 0, 1, 
 
 
 class Leg(NamedTuple):
-    """A motion from `start` to `end` (s) in the mode `side` (the sign of v1 - v2; 0: stick), everything enclosed."""
+    """A motion from `start` to `end` (s) in one mode, everything enclosed."""
 
-    side: int
-    piece: int
-    """Index in `pieces_of(scene)`."""
+    mode: LinearMode
     start: arb
     end: arb
     state: tuple[arb, arb, arb, arb]
@@ -72,9 +69,10 @@ class Leg(NamedTuple):
     cell: tuple[int, int]
     """Of a slip whose friction depends on the state (linear/cells.py)."""
 
-    def motion(self, scene: Scene) -> Motion:
-        """Return the motion from its start on, of the scene to which it belongs."""
-        return mode_in(scene, pieces_of(scene)[self.piece], self.side, self.cell).motion(self.state, self.start)
+    @property
+    def side(self) -> int:
+        """Return the sign of v1 - v2, 0 in stick."""
+        return self.mode.side
 
 
 def legs(trajectory: Trajectory) -> list[Leg]:
@@ -85,8 +83,8 @@ def legs(trajectory: Trajectory) -> list[Leg]:
         last = Ball.number(trajectory.scene.until) if trajectory.reached else starts[-1]
     begins = [True, *(one.piece != two.piece for one, two in pairwise(knots))]
     return [
-        Leg(one.mode, one.piece, start, end, (one.x1, one.v1, one.x2, one.v2), one.event, first, one.cell)
-        for one, start, end, first in zip(knots, starts, [*starts[1:], last], begins, strict=True)
+        Leg(trajectory.row_mode(row), start, end, (one.x1, one.v1, one.x2, one.v2), one.event, first, one.cell)
+        for row, (one, start, end, first) in enumerate(zip(knots, starts, [*starts[1:], last], begins, strict=True))
     ]
 
 
@@ -97,15 +95,15 @@ def field(mode: LinearMode, state: Sequence[arb], t: arb) -> Array:
 
 
 class Variation:
-    """The mode `side` (+1, -1: the sign of v1 - v2; 0: stick) in one piece and one cell, in the balls' context.
+    """One mode in one piece and one cell, in the balls' context.
 
     Derivatives are by p numbers of the scene; `column` says in which place.
     """
 
-    def __init__(self, scene: Scene, column: dict[str, int], index: int, side: int, cell: tuple[int, int]) -> None:
-        """Take the numbers of the scene, in the piece of this index."""
-        piece, self.column, self.side, cells = pieces_of(scene)[index], column, side, cells_of(scene)
-        self.mode, self.is_weakened = mode_in(scene, piece, side, cell), cells is not None
+    def __init__(self, scene: Scene, column: dict[str, int], mode: LinearMode, cell: tuple[int, int]) -> None:
+        """Take the numbers of the scene."""
+        piece, side, cells = mode.piece, mode.side, cells_of(scene)
+        self.mode, self.column, self.side, self.is_weakened = mode, column, side, cells is not None
         self.norm = LocalNorm(self.mode, cells.pulling if cells else None)
         self.rows, kind = self.mode.rows, SLIP if side else STICK
         self.A = _balls(self.rows.A[kind])
