@@ -29,8 +29,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
 from numerics.linear.cells import mode_in
-from numerics.linear.model import DRIVEN, EDGE, FRICTION, LOAD, WALL, Bodies, add_signal
-from numerics.linear.modes import UNDECIDED, mode_on_surface
+from numerics.linear.model import DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies, add_signal
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.ties import signal_form
 from numerics.scene import Law, Piece, Scene
@@ -203,25 +202,24 @@ class Chain:
         left out. Raises NotDifferentiable if the order of two jumps counts.
         """
         leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
-        here, at = leg.mode.piece, (leg.start, leg.state)
+        here, at, literal = leg.mode.piece, (leg.start, leg.state), scene.law is Law.THREE_VALUED_SGN
         before = last.mode.piece if index else _in_front(here, scene)
         # of signals that begin here, and whose start counts
         names = {k: name for k, name in enumerate(_starts(scene, here.start)) if name in self.column}
         alone = {k: _with(here, k, before) for k in names if _jumps_at(before, here, k)}
-        sides = {k: self._side_from_contact(one, *at, leg) for k, one in alone.items()}
-        if index and len(alone) > 1 and (leg.is_event or not (leg.side or not any(sides.values()))):
+        fields = {k: self._field_from_contact(one, *at, (0, leg.cell[1])) for k, one in alone.items()}
+        is_held = leg.side or literal or all(surely for _, surely in fields.values())
+        if index and len(alone) > 1 and (leg.is_event or not is_held):
             both = " and ".join(SIGNALS[k] for k in alone)
             when = f"at t = {float(leg.start):.6g} s {both} both jump, and which of them comes first"
             raise NotDifferentiable(f"this scene has no derivatives: {when} counts; change one of them slightly")
-        touches = not (index or self.is_fixed) and scene.initial.v1 == scene.initial.v2
+        touches = not (index or literal or self.is_fixed) and scene.initial.v1 == scene.initial.v2
         for k, one in alone.items():
             if touches or k != FRICTION or leg.side or last.side:
                 t = self._zeros()
                 t[self.column[names[k]]] += 1
-                side = 0 if sides[k] == UNDECIDED else sides[k]  # on the edge both modes agree
-                mode = (side, (0, leg.cell[1])) if touches else (last.side, last.cell)
-                fields = self._field(one, *at, *mode), self._field(here, *at, leg.side, leg.cell)
-                yield Shift(t, self._zeros(), *fields)
+                jump = fields[k][0] if touches else self._field(one, *at, last.side, last.cell)
+                yield Shift(t, self._zeros(), jump, self._field(here, *at, leg.side, leg.cell))
 
     def _field(self, piece: ExactPiece, t: arb, state: Sequence[arb], side: int, cell: tuple[int, int]) -> Array:
         """Return (x1, v1, x2, v2)' of a state in a mode under a piece."""
@@ -231,11 +229,17 @@ class Chain:
             state[1] = state[1] if side else state[3]
         return field(mode, state, t)
 
-    def _side_from_contact(self, piece: ExactPiece, t: arb, state: Sequence[arb], leg: Leg) -> int:
-        """Return the side of the mode that follows v1 = v2 under a piece, or UNDECIDED."""
-        mode = mode_in(self.scene, piece, 0, (0, leg.cell[1]))
-        load, edge = (_dot(mode.rows.others[k], mode.begin(state, t)) for k in (LOAD, EDGE))
-        return mode_on_surface(load, edge, 0, self.scene.law is Law.THREE_VALUED_SGN)
+    def _field_from_contact(
+        self, piece: ExactPiece, t: arb, state: Sequence[arb], cell: tuple[int, int]
+    ) -> tuple[Array, bool]:
+        """Return the same in the mode that follows v1 = v2, or in both, and whether that is surely a stick."""
+        mode = mode_in(self.scene, piece, 0, cell)
+        z, others = mode.begin(state, t), mode.rows.others
+        load, edge, b = (_dot(others[k], z) for k in (LOAD, EDGE, KINETIC))
+        surely, held = abs(load) < edge, self._field(piece, t, state, 0, cell)
+        push = load if surely else load.min(b).max(-b)
+        one, two = (Ball.number(k) * (load - push) for k in (self.bodies.inverse_1, self.bodies.inverse_2))
+        return held + np.array([arb(0), one, arb(0), -two]), bool(surely)
 
 
 def _dot(row: Array, z: Sequence[arb]) -> arb:
