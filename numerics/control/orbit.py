@@ -104,7 +104,7 @@ class Passage(NamedTuple):
 
 def passages(run: Trajectory) -> list[Passage]:
     """Return the motions of a trajectory in balls, from t = 0 to its horizon."""
-    return [Passage(one.start, one.end, one.motion(run.scene).mode, one.state) for one in legs(run)]
+    return [Passage(one.start, one.end, one.mode, one.state) for one in legs(run)]
 
 
 def middle(parts: Sequence[Passage]) -> tuple[Fraction, State3]:

@@ -42,7 +42,7 @@ LOAD, EDGE, KINETIC, DRIVEN = range(4)
 
 
 class Bodies(NamedTuple):
-    """The numbers of a pair, exact or in floats; 1/m2 and 1/M are 0, m2/M is 1 for an infinite m2."""
+    """The numbers of a pair, exact, in floats or as power series; 1/m2 and 1/M are 0, m2/M is 1 for an infinite m2."""
 
     m1: Any
     a1: Any
@@ -60,14 +60,12 @@ class Bodies(NamedTuple):
     @classmethod
     def of(cls, pair: Pair) -> Bodies:
         """Return the exact numbers of a pair."""
-        one = Fraction(1)
-        static = one if pair.b_static is None else pair.b_static / pair.b
+        static = 1 if pair.b_static is None else pair.b_static / pair.b
         if pair.m2 == math.inf:
-            zero = Fraction(0)
-            return cls(pair.m1, pair.a1, pair.a2, one / pair.m1, zero, zero, zero, one, static)
+            return cls(pair.m1, pair.a1, pair.a2, 1 / pair.m1, 0, 0, 0, 1, static)
         mass = pair.mass
         shares = pair.m1 / mass, pair.m2 / mass
-        return cls(pair.m1, pair.a1, pair.a2, one / pair.m1, one / pair.m2, one / mass, *shares, static)
+        return cls(pair.m1, pair.a1, pair.a2, 1 / pair.m1, 1 / pair.m2, 1 / mass, *shares, static)
 
 
 class Norm(NamedTuple):

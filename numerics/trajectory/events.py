@@ -131,7 +131,7 @@ def ledger_of(run: Rows) -> EnergyLedger:
     """Return the ledger of the whole run; in the arithmetic's context."""
     rows = range(len(run.row_lengths))
     friction, viscous, force, force_2, belt, wall, error = taken_in(run, rows)
-    wall = wall + _by_jumps_of_the_wall(run, rows)
+    wall = wall + _by_jumps_of_the_wall(run)
     initial, final = (energy_of(run, *at).tolist()[0] for at in _ends(run))
     work = force + force_2 + belt + wall
     residual = initial + work - final - friction - viscous
@@ -182,19 +182,20 @@ def _wall(run: Rows, rows: Counts, since: Array) -> Array:
     return np.array([found], dtype=object)
 
 
-def _by_jumps_of_the_wall(run: Rows, rows: range) -> Number:
+def _by_jumps_of_the_wall(run: Rows) -> Number:
     """Return what jumps of the wall put into the spring, J."""
-    total, pieces, a2 = run.arithmetic.number(0), run.row_pieces, run.scene.pair.a2
-    begun = [
-        k for k in rows if k and pieces[k] != pieces[k - 1] and run.pieces[pieces[k]].start in run.scene.wall.starts
-    ]
-    for k in begun:
-        t, x1 = run.row_times[k], run.row_states[0, k]
+    total, half, wall = run.arithmetic.number(0), run.arithmetic.number(run.scene.pair.a2 / 2), run.scene.wall
+    pieces = run.pieces
+    for k in np.flatnonzero(np.diff(run.row_pieces)) + 1:
+        t = run.row_times[k]
+        if pieces[run.row_pieces[k]].start not in wall.starts:
+            continue
         if run.bounded:
-            before, after = (x1 - float(run.scene.wall(Fraction(t), side)) for side in (-1, 1))
+            places = [float(wall(Fraction(t), side)) for side in (-1, 1)]
         else:
-            before, after = x1 - _wall(run, np.array([k - 1, k]), t - run.row_times[k - 1 : k + 1])[0]
-        total += run.arithmetic.number(a2 / 2) * (after - before) * (after + before)
+            places = _wall(run, np.array([k - 1, k]), t - run.row_times[k - 1 : k + 1])[0].tolist()
+        before, after = (run.row_states[0, k] - one for one in places)
+        total += half * (after - before) * (after + before)
     return total
 
 

@@ -18,21 +18,19 @@ each cell (cells.py), and a crossing of a knot, where the field is continuous, i
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache, partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from flint import arb
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
-from numerics.linear.cells import cells_of, mode_in
-from numerics.linear.model import DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies
-from numerics.linear.pieces import ExactPiece, pieces_of
-from numerics.linear.system import LocalNorm
+from numerics.linear.cells import mode_in
+from numerics.linear.model import DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies, add_signal
+from numerics.linear.pieces import ExactPiece
 from numerics.linear.ties import signal_form
 from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
@@ -67,19 +65,19 @@ class Shift(NamedTuple):
 class Chain:
     """Derivatives along the legs of one trajectory; to be used in the balls' context.
 
-    `t`, `y`: of the times (p,) and of the states (4, p) of all events, which move; `before`: of the state at the fixed
-    time right before each, (4, p); `starts`: what is carried into every leg.
+    `t`, `y`: of the times (p,) and of the states (4, p) of all events, which move; `starts`: what is carried into every
+    leg.
     """
 
     def __init__(self, scene: Scene, legs: Sequence[Leg], names: Sequence[str]) -> None:
         """Follow all legs; `names` are those of the numbers, the last axis of every array."""
-        self.scene, self.legs, self.pieces, self.cells = scene, legs, pieces_of(scene), cells_of(scene)
+        self.scene, self.legs = scene, legs
         self.column = {name: index for index, name in enumerate(names)}
         self.bodies, self.is_fixed = Bodies.of(scene.pair), scene.pair.is_fixed
-        self.variation, self.norms = cache(partial(Variation, scene, self.column)), dict[Any, LocalNorm]()
+        self.variations = dict[int, Variation]()
+        self.norm = self._of(legs[0]).norm
         self.t: list[Array] = []
         self.y: list[Array] = []
-        self.before: list[Array] = []
         y = self._zeros(4)
         for place, name in enumerate(STATE):
             if name in self.column:
@@ -107,16 +105,14 @@ class Chain:
 
     def energy(self, leg: Leg, at: tuple[arb, Sequence[arb]], y: Array, t: Array) -> Array:
         """Return the derivatives of the energy, J, (p,), from those of a state at a time in a leg, and of that time."""
-        (now, state), pair, number, own = at, self.scene.pair, Ball.number, self._of(leg)
-        z, moved = own.begun(state, now, y)
-        wall = np.full(len(z), arb(0))
-        for place, factor in own.mode.signal(WALL):
-            wall[place] = number(factor)
-        stretched, by_wall = state[0] - wall @ z, wall @ moved + wall @ (own.A @ z) * t
-        found = (y[0] - by_wall) * (number(pair.a2) * stretched) + y[1] * (number(pair.m1) * state[1])
-        if not self.is_fixed:
-            found = found + y[3] * (number(pair.m2) * state[3])
-        for name, value in (("a2", stretched), ("m1", state[1]), ("m2", state[3])):
+        (now, state), own = at, self._of(leg)
+        wall = np.zeros(own.mode.size, dtype=object)
+        add_signal(wall, own.mode.layout.blocks[WALL], 1)
+        place, by_wall = own.moving(wall, state, now, y, t)
+        parts = ("a2", state[0] - place, y[0] - by_wall), ("m1", state[1], y[1]), ("m2", state[3], y[3])
+        found = self._zeros()
+        for name, value, moved in parts[: 2 if self.is_fixed else 3]:
+            found = found + moved * (Ball.number(getattr(self.scene.pair, name)) * value)
             if name in self.column:
                 found[self.column[name]] += value * value / 2
         return found
@@ -125,43 +121,39 @@ class Chain:
         return np.full((*rows, len(self.column)), arb(0))
 
     def _of(self, leg: Leg) -> Variation:
-        return self.variation(leg.piece, leg.side, leg.cell)
+        key = id(leg.mode)  # the hash of a mode takes long
+        if key not in self.variations:
+            self.variations[key] = Variation(self.scene, self.column, leg.mode, leg.cell)
+        return self.variations[key]
 
-    def _norm(self, leg: Leg) -> LocalNorm:
-        mode = self._of(leg).mode
-        key = mode.layout, bool(leg.side), mode.cell
-        if key not in self.norms:
-            self.norms[key] = LocalNorm(mode, self.cells.pulling if self.cells else None)
-        return self.norms[key]
-
-    def _driven(self, leg: Leg, y: Array) -> Array:
-        """Return derivatives of a state at the start of a leg with those of the belt's velocity, if there is a belt."""
+    def _driven(self, leg: Leg, y: Array, t: Array | int = 0) -> Array:
+        """Return derivatives of a state where a leg starts, which moves by `t`, with those of the belt's velocity."""
         if not self.is_fixed:
             return y
-        mode, found = self._of(leg), +y
-        row = np.array([Ball.number(one) for one in mode.rows.others[DRIVEN]])
-        found[3] = row @ mode.begun(leg.state, leg.start, y)[1]
+        own, found = self._of(leg), +y
+        _, found[3] = own.moving(own.rows.others[DRIVEN], leg.state, leg.start, y, t)
         if not leg.side:
             found[1] = found[3]
         return found
 
     def _ahead(self, index: int, tau: arb) -> CarriedDerivatives:
         """Return the derivatives tau (s) after the start of a leg: of the point that is carried, and the bounds."""
-        leg, (y, norm, far, place), own = self.legs[index], self.starts[index], self._norm(self.legs[index])
-        ahead = self._of(leg).over(leg.state, leg.start, tau, y)
+        leg, (y, norm, far, place) = self.legs[index], self.starts[index]
+        variation = self._of(leg)
+        ahead, own = variation.over(leg.state, leg.start, tau, y), variation.norm
         norm = norm * own.growth(tau.abs_upper())
         place = place + norm * own.kappa * abs(tau) * abs(leg.side)
         return CarriedDerivatives(ahead, norm, far + norm / own.root_m1 * abs(tau), place)
 
     def _pointed(self, found: CarriedDerivatives) -> CarriedDerivatives:
         """Return the middles of balls, their radii added to the bounds."""
-        (x1, v1, x2, v2), own = _radius(found.y), self._norm(self.legs[0])
+        (x1, v1, x2, v2), own = _radius(found.y), self.norm
         off = found.norm + x1 * own.root_a2 + v1 * own.root_m1 + v2 * own.root_m2 + (x1 + x2) * own.root_g
         return CarriedDerivatives(_middle(found.y), off, found.far + x1, found.place + x1 + x2)
 
     def _enclosed(self, found: CarriedDerivatives) -> Array:
         """Return balls that hold the true derivatives."""
-        own = self._norm(self.legs[0])
+        own = self.norm
         x1 = found.norm / own.root_a2 if own.root_a2 > 0 else found.far
         v2 = 0 * found.norm if self.is_fixed else found.norm / own.root_m2
         return _widened(found.y, np.array([x1, found.norm / own.root_m1, found.place + x1, v2]))
@@ -178,7 +170,7 @@ class Chain:
             found = self._pointed(found)
         return found._replace(y=self._driven(after, found.y)) if self.is_fixed else found
 
-    def _across(self, index: int, found: CarriedDerivatives, shifts: Sequence[Shift]) -> CarriedDerivatives:
+    def _across(self, index: int, found: CarriedDerivatives, shifts: Iterable[Shift]) -> CarriedDerivatives:
         """Return the derivatives at the start of a leg behind what moves in time; those of an event are kept."""
         enclosed, leg = self._enclosed(found), self.legs[index]
         t, moving, y = self._zeros(), +enclosed, +found.y
@@ -191,71 +183,60 @@ class Chain:
                     moving[1], y[1] = moving[3], found.y[3] + (one.before[3] - one.behind[1]) * one.t
         if leg.is_event:
             self.t.append(t)
-            self.y.append(moving)
-            self.before.append(enclosed)
+            self.y.append(self._driven(leg, moving, t))
         return self._pointed(found._replace(y=y))
 
     def _by_guard(self, leg: Leg, after: Leg, ended: CarriedDerivatives) -> Shift:
         """Return how an event by a guard moves."""
-        norm, here = self._norm(leg), (after.state, after.start)
-        before = field(self._of(leg).mode, *here)
-        by_state, moved, rate = self._of(leg).guard(after.side, *here, ended.y)
-        off = ended.norm * norm.most(by_state.tolist()) + ended.place * abs(by_state[2])
-        off = off + (ended.far * abs(by_state[0] + by_state[2]) if not norm.root_a2 > 0 else 0)
+        own, here = self._of(leg), (after.state, after.start)
+        by_state, moved, rate = own.guard(after.side, *here, ended.y)
+        off = ended.norm * own.norm.most(by_state.tolist()) + ended.place * abs(by_state[2])
+        off = off + (ended.far * abs(by_state[0] + by_state[2]) if not own.norm.root_a2 > 0 else 0)
         behind = field(self._of(after).mode, *here) if leg.side or self.bodies.static != 1 else None
-        return Shift(-moved / rate, off / abs(rate), before, behind)
+        return Shift(-moved / rate, off / abs(rate), field(own.mode, *here), behind)
 
-    def _by_jumps(self, index: int) -> list[Shift]:
-        """Return how the starts move where a leg begins a piece."""
-        found = []
-        for name, fields in self._jumps(index).items():
-            t = self._zeros()
-            t[self.column[name]] += 1
-            found.append(Shift(t, self._zeros(), *fields))
-        return found
-
-    def _jumps(self, index: int) -> dict[str, tuple[Array, Array]]:
-        """Return y' before and after each start at the beginning of a leg that begins a piece, by its name.
+    def _by_jumps(self, index: int) -> Iterator[Shift]:
+        """Yield how each start at the beginning of a leg that begins a piece moves it.
 
         Where signals jump together, each does so after the others. What does not jump, or does nothing in stick, is
         left out. Raises NotDifferentiable if the order of two jumps counts.
         """
         leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
-        here, at, literal = self.pieces[leg.piece], (leg.start, leg.state), scene.law is Law.THREE_VALUED_SGN
-        before = self.pieces[last.piece] if index else _in_front(here, scene)
+        here, at, literal = leg.mode.piece, (leg.start, leg.state), scene.law is Law.THREE_VALUED_SGN
+        before = last.mode.piece if index else _in_front(here, scene)
         # of signals that begin here, and whose start counts
         names = {k: name for k, name in enumerate(_starts(scene, here.start)) if name in self.column}
-        jumping = [k for k in names if _jumps_at(before, here, k)]
-        alone = [_with(here, k, before) for k in jumping]  # the piece in front of each jump alone
-        fields = [self._field_from_contact(one, *at, leg) for one in alone]
-        if index and len(jumping) > 1 and (leg.is_event or not (leg.side or literal or all(one[1] for one in fields))):
-            both = " and ".join(SIGNALS[k] for k in jumping)
+        alone = {k: _with(here, k, before) for k in names if _jumps_at(before, here, k)}
+        fields = {k: self._field_from_contact(one, *at, (0, leg.cell[1])) for k, one in alone.items()}
+        is_held = leg.side or literal or all(surely for _, surely in fields.values())
+        if index and len(alone) > 1 and (leg.is_event or not is_held):
+            both = " and ".join(SIGNALS[k] for k in alone)
             when = f"at t = {float(leg.start):.6g} s {both} both jump, and which of them comes first"
             raise NotDifferentiable(f"this scene has no derivatives: {when} counts; change one of them slightly")
-        found, after = {}, self._field(here, *at, leg)
-        for k, one, (from_contact, _) in zip(jumping, alone, fields, strict=True):
-            name = names[k]
-            if not index and scene.initial.v1 == scene.initial.v2 and not literal and not self.is_fixed:
-                found[name] = from_contact, after
-            elif k != FRICTION or leg.side or last.side:
-                found[name] = self._field(one, *at, last), after
-        return found
+        touches = not (index or literal or self.is_fixed) and scene.initial.v1 == scene.initial.v2
+        for k, one in alone.items():
+            if touches or k != FRICTION or leg.side or last.side:
+                t = self._zeros()
+                t[self.column[names[k]]] += 1
+                jump = fields[k][0] if touches else self._field(one, *at, last.side, last.cell)
+                yield Shift(t, self._zeros(), jump, self._field(here, *at, leg.side, leg.cell))
 
-    def _field(self, piece: ExactPiece, t: arb, state: Sequence[arb], leg: Leg) -> Array:
-        """Return (x1, v1, x2, v2)' of a state in the mode of a leg, under a piece."""
-        mode, state = mode_in(self.scene, piece, leg.side, leg.cell), list(state)
+    def _field(self, piece: ExactPiece, t: arb, state: Sequence[arb], side: int, cell: tuple[int, int]) -> Array:
+        """Return (x1, v1, x2, v2)' of a state in a mode under a piece."""
+        mode, state = mode_in(self.scene, piece, side, cell), list(state)
         if self.is_fixed:
             state[3] = _dot(mode.rows.others[DRIVEN], mode.begin(state, t))
-            state[1] = state[1] if leg.side else state[3]
+            state[1] = state[1] if side else state[3]
         return field(mode, state, t)
 
-    def _field_from_contact(self, piece: ExactPiece, t: arb, state: Sequence[arb], leg: Leg) -> tuple[Array, bool]:
-        """Return the same in the mode that follows v1 = v2, and whether that is surely a stick."""
-        leg = leg._replace(side=0, cell=(0, leg.cell[1]))
-        mode = mode_in(self.scene, piece, 0, leg.cell)
+    def _field_from_contact(
+        self, piece: ExactPiece, t: arb, state: Sequence[arb], cell: tuple[int, int]
+    ) -> tuple[Array, bool]:
+        """Return the same in the mode that follows v1 = v2, or in both, and whether that is surely a stick."""
+        mode = mode_in(self.scene, piece, 0, cell)
         z, others = mode.begin(state, t), mode.rows.others
         load, edge, b = (_dot(others[k], z) for k in (LOAD, EDGE, KINETIC))
-        surely, held = abs(load) < edge, self._field(piece, t, state, leg)
+        surely, held = abs(load) < edge, self._field(piece, t, state, 0, cell)
         push = load if surely else load.min(b).max(-b)
         one, two = (Ball.number(k) * (load - push) for k in (self.bodies.inverse_1, self.bodies.inverse_2))
         return held + np.array([arb(0), one, arb(0), -two]), bool(surely)

@@ -107,7 +107,7 @@ def sensitivities(
     """Return the sensitivities of a trajectory; with `t`, the derivatives of (x1, v1, x2, v2) at the time(s) t (s).
 
     `wrt` are names of `parameters(scene)`, in the order of the last axis; only these are computed. Left out: all of
-    them, but for the numbers of a signal of more than 100 pieces.
+    them, but for the numbers of a signal of more than 100 pieces. By the b = 0 of a piece there is no derivative.
 
     With `t` an array of shape (4, p) for a number, (4, p, ...) for an array of any shape: partial derivatives at that
     fixed time (0 by `until`). At an event they jump, and `side`
@@ -154,7 +154,7 @@ def sensitivities(
             found = balls.row_values(slopes, times, side)
         else:  # an event is where the trajectory has it, as rounded as that is
             found = slopes(own_rows, times - balls.row_times[own_rows])
-        return (np.array([*found.T.reshape(-1, 4, len(chain.column)), *chain.before]),)
+        return (np.array([*found.T.reshape(-1, 4, len(chain.column)), *chain.y]),)
 
     rows = _enclosed(trajectory, at_times, names)[0][: asked.size]
     states = _as_numbers(trajectory.arithmetic, np.moveaxis(rows, 0, -1))
@@ -164,7 +164,7 @@ def sensitivities(
 def _names(trajectory: Trajectory, wrt: Sequence[str] | None) -> tuple[str, ...]:
     """Return the names of the numbers by which to derive. Raises ValueError for what names none."""
     scene = trajectory.scene
-    known = parameters(scene)
+    known = {name: one for name, one in parameters(scene).items() if one or not name.endswith("].b")}
     if wrt is None:
         tables = tuple(f"{name}[" for name, pieces in scene.pieces.items() if len(pieces) > _MOST_PIECES)
         return tuple(name for name in known if not name.startswith(tables))
@@ -182,19 +182,17 @@ def enclosures(trajectory: Trajectory, names: tuple[str, ...] | None = None) -> 
     names = names or _names(trajectory, None)
 
     def of_events(balls: Trajectory, chain: Chain) -> tuple[Array, ...]:
-        events = [(leg, (leg.start, leg.state)) for leg in chain.legs if leg.is_event]
+        events = ((leg, (leg.start, leg.state)) for leg in chain.legs if leg.is_event)
         last, t = chain.final(balls.final_state)
         energies = [
             *(chain.energy(*one, y, t) for one, y, t in zip(events, chain.y, chain.t, strict=True)),
             chain.energy(chain.legs[-1], (balls.end_time, balls.final_state), last, t),
-            *(chain.energy(*one, y, 0 * t) for one, y in zip(events, chain.before, strict=True)),
         ]
         times = np.array(chain.t, dtype=object).reshape(-1, len(chain.column))
-        return times, np.array([*chain.y, last, *chain.before]), np.array(energies)
+        return times, np.array([*chain.y, last]), np.array(energies)
 
     times, states, energies = _enclosed(trajectory, of_events, names)
-    count = len(times)
-    return Sensitivity(names, times, states[:count], states[count], energies[count])
+    return Sensitivity(names, times, states[:-1], states[-1], energies[-1])
 
 
 def _enclosed(

@@ -5,28 +5,27 @@ A number p moves A, by A_p, and the signals in z; at a fixed time y = dz/dp foll
     y(tau) = exp(A tau) y(0) + sum_i Q_i a_i,    Q_i = int_0^tau exp(A (tau - s)) e_i z(s)' ds
 
 with a_i the rows of A_p, and Q_i from exp([[A, e_i z(0)'], [0, A']] tau): few rows depend on numbers, however many
-there are. A_p are the slopes of model.py's matrices in dual numbers, exact. Everything else is enclosed by balls.
+there are. A_p are the slopes of model.py's matrices of power series in p, exact. The rest is enclosed by balls.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
-from math import perm
+from math import inf, perm
 from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import flint
 import numpy as np
-from flint import arb, arb_mat
+from flint import arb, arb_mat, fmpq, fmpq_series
 
 from numerics.arithmetic.ball import Ball, magnitude_bits
 from numerics.arithmetic.precision import precision
-from numerics.linear.cells import cells_of, mode_in
+from numerics.linear.cells import cells_of
 from numerics.linear.model import (
     FIRST,
     FRICTION,
@@ -40,9 +39,8 @@ from numerics.linear.model import (
     put_rows,
     spread_omegas,
 )
-from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot
-from numerics.linear.system import LinearMode, Motion
+from numerics.linear.system import LinearMode, LocalNorm
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.trajectory import Trajectory
@@ -51,16 +49,15 @@ _BITS_PER_SQUARING = 5
 """What an exponential may lose each time that it is squared: entries are sums of a few products."""
 SIGNALS = ("force", "force_2", "belt", "wall", "friction")
 _OF_A_PAIR = ("m1", "m2", "a1", "a2", "b", "b_static")
+_NOTHING = Piece(0)
 _balls = np.frompyfunc(Ball.number, 1, 1)
-_slopes = np.frompyfunc(lambda x: x.slope if isinstance(x, Dual) else Fraction(0), 1, 1)
+_slopes = np.frompyfunc(lambda x: x[1] if isinstance(x, fmpq_series) else 0, 1, 1)
 
 
 class Leg(NamedTuple):
-    """A motion from `start` to `end` (s) in the mode `side` (the sign of v1 - v2; 0: stick), everything enclosed."""
+    """A motion from `start` to `end` (s) in one mode, everything enclosed."""
 
-    side: int
-    piece: int
-    """Index in `pieces_of(scene)`."""
+    mode: LinearMode
     start: arb
     end: arb
     state: tuple[arb, arb, arb, arb]
@@ -72,9 +69,10 @@ class Leg(NamedTuple):
     cell: tuple[int, int]
     """Of a slip whose friction depends on the state (linear/cells.py)."""
 
-    def motion(self, scene: Scene) -> Motion:
-        """Return the motion from its start on, of the scene to which it belongs."""
-        return mode_in(scene, pieces_of(scene)[self.piece], self.side, self.cell).motion(self.state, self.start)
+    @property
+    def side(self) -> int:
+        """Return the sign of v1 - v2, 0 in stick."""
+        return self.mode.side
 
 
 def legs(trajectory: Trajectory) -> list[Leg]:
@@ -85,8 +83,8 @@ def legs(trajectory: Trajectory) -> list[Leg]:
         last = Ball.number(trajectory.scene.until) if trajectory.reached else starts[-1]
     begins = [True, *(one.piece != two.piece for one, two in pairwise(knots))]
     return [
-        Leg(one.mode, one.piece, start, end, (one.x1, one.v1, one.x2, one.v2), one.event, first, one.cell)
-        for one, start, end, first in zip(knots, starts, [*starts[1:], last], begins, strict=True)
+        Leg(trajectory.row_mode(row), start, end, (one.x1, one.v1, one.x2, one.v2), one.event, first, one.cell)
+        for row, (one, start, end, first) in enumerate(zip(knots, starts, [*starts[1:], last], begins, strict=True))
     ]
 
 
@@ -96,29 +94,22 @@ def field(mode: LinearMode, state: Sequence[arb], t: arb) -> Array:
     return np.array(motion.rate(motion.begin).entries()[:FIRST])
 
 
-class Guard(NamedTuple):
-    """What is 0 at an event: its row on the state, its derivatives at a fixed time (p,), and its rate."""
-
-    by_state: Array
-    moved: Array
-    rate: arb
-
-
 class Variation:
-    """The mode `side` (+1, -1: the sign of v1 - v2; 0: stick) in one piece and one cell, in the balls' context.
+    """One mode in one piece and one cell, in the balls' context.
 
     Derivatives are by p numbers of the scene; `column` says in which place.
     """
 
-    def __init__(self, scene: Scene, column: dict[str, int], index: int, side: int, cell: tuple[int, int]) -> None:
-        """Take the numbers of the scene, in the piece of this index."""
-        piece, self.column, self.side, cells = pieces_of(scene)[index], column, side, cells_of(scene)
-        self.mode, self.is_weakened = mode_in(scene, piece, side, cell), cells is not None
+    def __init__(self, scene: Scene, column: dict[str, int], mode: LinearMode, cell: tuple[int, int]) -> None:
+        """Take the numbers of the scene."""
+        piece, side, cells = mode.piece, mode.side, cells_of(scene)
+        self.mode, self.column, self.side, self.is_weakened = mode, column, side, cells is not None
+        self.norm = LocalNorm(self.mode, cells.pulling if cells else None)
         self.rows, kind = self.mode.rows, SLIP if side else STICK
         self.A = _balls(self.rows.A[kind])
         self.signals = _acting(scene, piece.start)
         b = f"{self.signals[FRICTION][0]}.b" if self.signals[FRICTION][0] else "b"
-        self.lines = cells.by_numbers(piece, side or 1, cell, b) if cells else {}
+        lines = cells.by_numbers(piece, side or 1, cell, b) if cells else {}
         pair, layout, line = self.mode.pair, self.mode.layout, self.mode.cell
         omegas = {
             f"{name}.sines[{k}].omega": first + 2 * k + 1
@@ -130,8 +121,8 @@ class Variation:
         self.inputs: dict[int, list[tuple[int, Array]]] = {}
         """Rows of A_p that are not 0, with the places of p."""
         for name, place in column.items():
-            if name in _OF_A_PAIR or name in omegas or name in self.lines:
-                moved = _moved_rows(pair, layout, line, name, omegas.get(name), self.lines.get(name))
+            if name in _OF_A_PAIR or name in omegas or name in lines:
+                moved = _moved_rows(pair, layout, line, name, omegas.get(name, -1), lines.get(name, (0, 0, 0)))
                 self.moved[name], A = moved, moved.A[kind]
                 for row in np.flatnonzero((A != 0).any(axis=1)).tolist():
                     self.inputs.setdefault(row, []).append((place, _balls(A[row])))
@@ -141,25 +132,19 @@ class Variation:
         z, found = np.array(self.mode.begin(state, t)), np.full((self.mode.size, y.shape[1]), arb(0))
         found[:FIRST] = y
         blocks = self.mode.layout.blocks.tolist()
-        for which, ((name, piece), (first, terms, sines, _)) in enumerate(zip(self.signals, blocks, strict=True)):
-            sign = (self.side or 1) if which == FRICTION else 1
+        for which, ((name, piece), block) in enumerate(zip(self.signals, blocks, strict=True)):
             if which == FRICTION and self.is_weakened:
-                continue  # of which `lines` say all
-            power, of_b = [arb(1)], f"{name}.b" if name else "b"
-            for j in range(terms):
-                if (place := self.column.get(f"{name}.polynomial[{j}]", self.column.get(of_b))) is not None:
-                    found[first : first + j + 1, place] += [sign * perm(j, k) * power[j - k] for k in range(j + 1)]
-                power.append(power[-1] * (t - Ball.number(piece.start)))  # ** has no powers of a ball that holds 0
-            if (place := self.column.get(f"{name}.from")) is not None and terms:
-                found[first : first + terms - 1, place] -= z[first + 1 : first + terms]
-            for k, sine in enumerate(piece.sines):
-                at, (height, omega, phase) = sines + 2 * k, map(Ball.number, (sine.amplitude, sine.omega, sine.phase))
-                s, c = (omega * t + phase).sin_cos()
-                turned = np.array([height * c, -height * s])
-                for key, by in (("amplitude", np.array([s, c])), ("phase", turned), ("omega", turned * t)):
-                    if (place := self.column.get(f"{name}.sines[{k}].{key}")) is not None:
-                        found[at : at + 2, place] += by * sign
+                continue  # the lines of its cell have moved all rows
+            sign = (self.side or 1) if which == FRICTION else 1
+            for key, first, by in _by_numbers(piece, block, z, t, sign):
+                if (place := self.column.get(f"{name}.{key}".removeprefix("."))) is not None:
+                    found[first : first + len(by), place] += by
         return z, found
+
+    def moving(self, row: Array, state: Sequence[arb], t: arb, y: Array, late: Array | int) -> tuple[arb, Array]:
+        """Return an exact row of z at a time (s), and its derivatives where that moves by `late`."""
+        (z, moved), here = self.begun(state, t, y), _balls(row)
+        return here @ z, here @ moved + here @ (self.A @ z) * late
 
     def over(self, state: Sequence[arb], t: arb, tau: arb, y: Array) -> Array:
         """Return the derivatives of the state tau (s) after the start of a motion, from those at its start, (4, p)."""
@@ -175,10 +160,11 @@ class Variation:
         flow = _exponential(self.A * tau)[:FIRST] if flow is None else flow
         return found + np.array((arb_mat(flow.tolist()) * arb_mat(moved.tolist())).tolist())
 
-    def guard(self, exit_side: int, state: Sequence[arb], t: arb, y: Array) -> Guard:
-        """Return the guard that ends this mode where it is 0: its row on states, its derivatives, and its rate.
+    def guard(self, exit_side: int, state: Sequence[arb], t: arb, y: Array) -> tuple[Array, Array, arb]:
+        """Return of the guard that ends this mode, where it is 0: its row on states, its derivatives (p,), its rate.
 
-        That of a slip is v1 - v2, of a stick which ends in the slip of a sign the edge less that times the load.
+        The derivatives are at a fixed time. The guard of a slip is v1 - v2, of a stick which ends in the slip of a sign
+        the edge less that times the load.
         """
         place = (SLIP, 0) if self.side else (STICK, 0 if exit_side > 0 else 1)
         z, moved = self.begun(state, t, y)
@@ -186,7 +172,24 @@ class Variation:
         by = here @ moved
         for name, one in self.moved.items():
             by[self.column[name]] += _balls(one.guards[place]) @ z
-        return Guard(here[:FIRST], by, here @ (self.A @ z))
+        return here[:FIRST], by, here @ (self.A @ z)
+
+
+def _by_numbers(piece: Piece, block: Sequence[int], z: Array, t: arb, sign: int) -> Iterator[tuple[str, int, Array]]:
+    """Yield of every number of a signal its name, and the derivatives of the components of z from a place on."""
+    first, terms, sines, _ = block
+    yield "from", first, -z[first + 1 : first + terms]
+    powers = [arb(sign)]  # ** has no powers of a ball that holds 0
+    yield "b", first, np.array(powers[:terms])
+    for j in range(terms):
+        yield f"polynomial[{j}]", first, np.array([perm(j, k) * powers[j - k] for k in range(j + 1)])
+        powers.append(powers[-1] * (t - Ball.number(piece.start)))
+    for k, sine in enumerate(piece.sines):
+        height, omega, phase = (Ball.number(one) for one in (sign * sine.amplitude, sine.omega, sine.phase))
+        s, c = (omega * t + phase).sin_cos()
+        turned = np.array([height * c, -height * s])
+        named = {"amplitude": sign * np.array([s, c]), "phase": turned, "omega": turned * t}
+        yield from ((f"sines[{k}].{key}", sines + 2 * k, by) for key, by in named.items())
 
 
 def _acting(scene: Scene, t: Fraction) -> list[tuple[str, Piece]]:
@@ -195,69 +198,26 @@ def _acting(scene: Scene, t: Fraction) -> list[tuple[str, Piece]]:
     for name in SIGNALS:
         pieces = scene.pieces[name]
         k = bisect_right(pieces, t, key=lambda one: one.start) - 1
-        nothing = Piece(0, (scene.pair.b,)) if name == "friction" else Piece(0)
-        found.append((f"{name}[{k}]", pieces[k]) if k >= 0 else ("", nothing))
+        found.append((f"{name}[{k}]", pieces[k]) if k >= 0 else ("", _NOTHING))
     return found
 
 
-@dataclass(frozen=True, eq=False)
-class Dual:
-    """value + slope e with e^2 = 0: arithmetic on it differentiates."""
-
-    value: Fraction
-    slope: Fraction
-
-    def __add__(self, other: Dual | Fraction | int) -> Dual:
-        """Return the sum."""
-        if not isinstance(other, Dual):
-            return Dual(self.value + other, self.slope)
-        return Dual(self.value + other.value, self.slope + other.slope)
-
-    def __mul__(self, other: Dual | Fraction | int) -> Dual:
-        """Return the product."""
-        if not isinstance(other, Dual):
-            return Dual(self.value * other, self.slope * other)
-        return Dual(self.value * other.value, self.value * other.slope + self.slope * other.value)
-
-    __radd__, __rmul__ = __add__, __mul__
-
-    def __neg__(self) -> Dual:
-        """Return the number with the other sign."""
-        return self * -1
-
-    def __sub__(self, other: Dual | Fraction | int) -> Dual:
-        """Return the difference."""
-        return self + -other
-
-    def __rsub__(self, other: Fraction | int) -> Dual:
-        """Return the difference."""
-        return -self + other
-
-    def __rtruediv__(self, other: Dual | Fraction) -> Dual:
-        """Return the quotient."""
-        return Dual(1 / self.value, -self.slope / self.value**2) * other
-
-    def __truediv__(self, other: Dual) -> Dual:
-        """Return the quotient."""
-        return other.__rtruediv__(self)
-
-
 @lru_cache(maxsize=1024)
-def _moved_rows(pair: Pair, layout: Layout, cell: Cell, name: str, place: int | None, line: Any) -> Rows:
+def _moved_rows(pair: Pair, layout: Layout, cell: Cell, name: str, place: int, line: Cell) -> Rows:
     """Return the derivative of the matrices by a number of the pair, of the frequency at a place, of a line."""
     given = {key: getattr(pair, key) for key in _OF_A_PAIR}
-    numbers = SimpleNamespace(**{k: None if x is None else Dual(x, Fraction(k == name)) for k, x in given.items()})
-    if pair.is_fixed:
-        numbers.m2 = pair.m2
-    else:
-        numbers.mass = numbers.m1 + numbers.m2
-    omegas = spread_omegas(layout)
-    if place is not None:
-        omegas[place] = Dual(omegas[place], Fraction(1))
-    here: Any = cell if line is None else tuple(map(Dual, cell, line))
-    rows = Rows(*(np.full(one.shape, Fraction(0)) for one in make_rows(layout.size)))
-    put_rows(Bodies.of(numbers), layout.blocks, omegas, here, rows)  # type: ignore[arg-type]  # a pair of dual numbers
+    made = {key: one if one in {None, inf} else _series(one, key == name) for key, one in given.items()}
+    numbers = SimpleNamespace(**made)
+    numbers.mass = numbers.m1 if pair.is_fixed else numbers.m1 + numbers.m2
+    omegas = np.frompyfunc(_series, 2, 1)(spread_omegas(layout), np.arange(layout.size) == place)
+    rows = Rows(*(np.full(one.shape, 0, dtype=object) for one in make_rows(layout.size)))
+    put_rows(Bodies.of(numbers), layout.blocks, omegas, tuple(map(_series, cell, line)), rows)  # type: ignore[arg-type]
     return Rows(*map(_slopes, rows))
+
+
+def _series(value: Fraction, slope: Fraction | int) -> fmpq_series:
+    """Return value + slope e as a power series in e, cut after e: what is computed of it is differentiated."""
+    return fmpq_series([fmpq(one.numerator, one.denominator) for one in (value, slope)], prec=2)
 
 
 def _exponential(matrix: Array) -> Array:

@@ -5,7 +5,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from every_number import EVENTS, against, compared, derivatives, solved_truly, unlisted
+from every_number import against, compared, solved_truly, unlisted
 from hypothesis import given
 from reaching import LeftOut, reaching
 from scene_files import scenes_in
@@ -91,16 +91,6 @@ def test_every_number_of_every_frozen_scene_is_within_its_bound(folder, arithmet
             found[name.stem] = wrong(load_scene(name), arithmetic)
     assert found
     assert {name: rows for name, rows in found.items() if rows} == {}
-
-
-@pytest.mark.parametrize("arithmetic", WAYS)
-def test_derivatives_after_an_exact_contact_are_right_to_the_digits_of_the_arithmetic(arithmetic):
-    scene = forced_scene("contact-at-a-rational-time")
-    run, truth = solve(scene, arithmetic=arithmetic, max_events=EVENTS), solved_truly(scene)
-    with truth.context():
-        found = derivatives(run, truth)
-        assert [one for one in found if not one.ratio <= 1.0] == []
-    assert len(found) > 40
 
 
 def test_a_force_of_high_degree_costs_no_digits_between_events():

@@ -1,7 +1,5 @@
 """Derivatives of the state at any time: against differences of solves, and against those of events and ends."""
 
-from fractions import Fraction
-
 import numpy as np
 import pytest
 from differences import parameters
@@ -26,22 +24,6 @@ def test_start_and_end(scene):
     last = sensitivities(trajectory, scene.until)
     for index, name in enumerate(found.wrt):
         assert (last[:, index] == (0 if name == "until" else found.final[:, index])).all()
-
-
-def test_both_sides_of_an_event(scene):
-    """dy + f dtau is the derivative of the event's state, from either side; limits from the sides are the same."""
-    trajectory, near = solve(scene), Fraction(1, 10**7)
-    found, number = sensitivities(trajectory), float
-    for k, event in enumerate(trajectory.events):
-        t = Fraction(event.t)
-        for side, sign in (("left", -1), ("right", 1)):
-            at = sensitivities(trajectory, event.t, side)
-            assert np.allclose(at, sensitivities(trajectory, t + sign * near), rtol=1e-4, atol=1e-4 * np.abs(at).max())
-            state, later = (trajectory.sol(t + sign * one * near) for one in (1, 2))
-            rate = (later - state) / number(sign * near)
-            total = at + np.outer(rate, found.t[k])
-            scale = np.abs(found.y[k]).max() + np.abs(np.outer(rate, found.t[k])).max()
-            assert np.allclose(total, found.y[k], rtol=0, atol=1e-4 * scale)
 
 
 def test_a_jump_of_the_force_has_two_sides():

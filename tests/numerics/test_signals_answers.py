@@ -4,12 +4,10 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from differences import moved
 from scene_files import scenes_in
 
 from numerics import (
     Force,
-    NumericsError,
     Pair,
     Scene,
     State,
@@ -19,7 +17,6 @@ from numerics import (
 from numerics.linear.model import TAKEN
 
 SCENES = scenes_in("signals")
-STEP = Fraction(1, 10**16)
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -53,34 +50,6 @@ def test_a_pair_without_a_spring_has_no_excess_and_says_so():
     assert np.isnan(run.energy_excess).all()
     assert "excess" not in run.to_csv()
     assert run.final.v1 == run.y[1, -1]
-
-
-def numbers(run):
-    """Times of events, final state and energy."""
-    return [*run.event_times, *run.final_state, run.final_energy]
-
-
-@pytest.mark.parametrize("name", SCENES)
-def test_derivatives_by_every_number_are_differences(name):
-    scene = SCENES[name]
-    base = solve(scene, arithmetic="ball", digits=60, max_events=20)
-    found, compared = sensitivities(base), 0
-    for k, number in enumerate(found.wrt):
-        ours = base.floats([*found.t[:, k], *found.final[:, k], found.energy[k]])
-        for sign in (1, -1):
-            try:
-                near = solve(moved(scene, {number: sign * STEP}), arithmetic="ball", digits=60, max_events=20)
-            except (NumericsError, IndexError, TypeError):  # no such scene, or no such number in it
-                continue
-            if near.modes == base.modes:
-                with base.context():
-                    theirs = base.floats(
-                        [(a - b) / (sign * STEP.numerator) for a, b in zip(numbers(near), numbers(base), strict=True)]
-                    )
-                assert ours == pytest.approx(theirs * 1e16, abs=1e-8 * (1e-3 + abs(ours).max())), number
-                compared += 1
-                break
-    assert compared >= len(found.wrt) - 3
 
 
 def test_only_the_chosen_columns_are_computed():

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from flint import arb
 from hypothesis import given
-from strategies import near_critical, scenes
+from strategies import near_critical
 from three_scenes import PAPER
 
 from numerics import (
@@ -59,16 +59,6 @@ def test_the_cap_on_events_ends_the_evaluation():
         run.sol(2)
     count = len(solve(PAPER).events)  # a cap that is not reached changes nothing
     assert [solve(PAPER, max_events=count - k).status for k in (0, 1)] == [Status.REACHED_HORIZON, Status.EVENT_LIMIT]
-
-
-@given(scenes(damped=None))
-def test_dense_evaluation_is_continuous_across_events(scene):
-    run = solve(scene, arithmetic="ball", digits=30, max_events=8)
-    with run.arithmetic.context():
-        scale = [max(abs(one) for one in row) for row in run.y]
-        for event in run.events:
-            for left, right, size in zip(run.sol(event.t, "left"), run.sol(event.t), scale, strict=True):
-                assert abs(left - right) <= arb("1e-25") * size
 
 
 @pytest.mark.parametrize("name", ["forced-friction-by-pieces", "velocities"])
