@@ -79,7 +79,10 @@ def follow_rows(given: Any, work: Work, literal: bool, max_events: int, has_ledg
         problem, log = Problem(norm, drive, tables, literal), Log(found, end, max_events, False)
         how, count = follow(problem, work.space, start, -1.0, log)
         if has_ledger and how < OUT_OF_RANGE:
-            ledger(problem, work.space, found, count - (1 if how == EVENT_LIMIT else 0), end, end[_TAKEN:])
+            segments, taken = count - (1 if how == EVENT_LIMIT else 0), end[_TAKEN:]
+            taken[:] = 0.0
+            if ledger(problem, work.space, found, 0, segments, end, taken) < segments:
+                taken[:] = np.nan
         if how >= OUT_OF_RANGE or not finish(found[:count], end, units[0], units[1], units[2]):
             end[_HOW] = UNKNOWN
 
