@@ -19,11 +19,11 @@ from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Expansion
 from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, X1, X2
 from numerics.linear.modes import UNDECIDED, mode_on_surface
-from numerics.linear.next_enclosed import SHY, Bracket, Root, next_event, short_step
+from numerics.linear.next_enclosed import SHY, Root, next_event, short_step, slow_curves
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
+from numerics.linear.search import CLEAR
 from numerics.linear.sine_form import SineForm
-from numerics.linear.swings import Swings
 from numerics.linear.system import dot
 from numerics.linear.ties import mode_after, signal_form
 from numerics.scene import Scene
@@ -149,7 +149,7 @@ class EnclosedRun(EnclosedPath):
             if self.kept > 0:
                 order = 1
             else:
-                bend = -Expansion(flow, z, arb(0)).guard(root.guard.row)[1] * kappa * kappa
+                bend = -Expansion(flow, z, arb(0)).guard(root.guard.row).polynomial[1] * kappa * kappa
                 if not bend > 0:
                     raise self.undecided(at)
                 # where the load is not quite b, the slip starts a little later than here
@@ -242,23 +242,21 @@ class EnclosedRun(EnclosedPath):
 
     def is_stuck(self, end: At) -> bool:
         """Return whether stick at the horizon is proved to last for ever, if u and b go on as they are."""
-        flow = self.flow(end)
         if end.mode or self.literal or self.lasts(end):
             return end.mode == 0
         for _ in range(_AHEAD):
-            z = self.here(end)[1]
-            held = [Swings(flow, z).taken(row, arb(0)) for row in flow.bent]
-            if any(len(one.row) > 1 for one in held):
+            curves = next(slow_curves(self, end, arb(0)))
+            if any(one.terms > 1 for one in curves):
                 return False
-            if all(one.row[0] > one.amplitude + self.margin(end) for one in held):
+            if all(one.polynomial[0] > one.margin for one in curves):
                 return True
             try:
-                found = short_step(self, end, flow.reach, flow.reach)
+                found = short_step(self, end, self.flow(end).reach)
             except EventUndecided:
                 return False
-            if isinstance(found, Bracket):
+            if found.hit != CLEAR:
                 return False
-            end = self.evolved(end, (end.local + found[0] * SHY).mid())
+            end = self.evolved(end, (end.local + found.since * SHY).mid())
         return False
 
     # ------------------------------------------------------------------ record

@@ -19,6 +19,7 @@ from flint import arb, arb_mat, arb_poly, ctx
 from numerics.arithmetic.ball import Ball, widened
 from numerics.arithmetic.precision import precision
 from numerics.linear.model import CONSTANT, FRICTION, V1, X1, X2, Cell, Layout
+from numerics.linear.search import Polynomial
 from numerics.linear.system import BallRow, LinearMode, LocalNorm, Row, Z, matrix, sparse
 from numerics.scene import Pair
 
@@ -118,7 +119,7 @@ class Expansion:
 
     def __init__(self, flow: Flow, z: Sequence[arb], h: arb) -> None:
         """Form the polynomials, and of each a bound on what it leaves out up to h, over t^order."""
-        self.flow, self.z, self.order = flow, z, flow.terms
+        self.flow, self.z, self.h, self.order = flow, z, h, flow.terms
         found = (flow.matrix * arb_mat(flow.size, 1, z)).entries()
         self.found = [found[start:end] for start, end in pairwise(flow.ends)]
         self.curves = [arb_poly(row[: self.order]) for row in self.found]
@@ -138,35 +139,31 @@ class Expansion:
             further += [z[place] * power, z[place + 1] * power]
         return flow.norm.sizes(further, h)
 
-    def guard(self, which: int) -> arb_poly:
-        """Return the polynomial of a guard."""
-        found = arb_poly([])
-        for row, derivative, factor in self.flow.guards[which]:
-            found += (self.curves[row].derivative() if derivative else self.curves[row]) * factor
-        return found
+    def guard(self, which: int, terms: int = 0) -> Polynomial:
+        """Return a guard, which leaves out as much up to h; or so many of its terms, and of the rest nothing."""
+        found, rest, parts = arb_poly([]), arb(0), self.flow.guards[which]
+        lost = max(derivative for _, derivative, _ in parts)
+        for row, derivative, factor in parts:
+            curve = arb_poly(self.found[row][: terms + derivative]) if terms else self.curves[row]
+            found += (curve.derivative() if derivative else curve) * factor
+            rest += abs(factor) * self.rests[row] * (self.order if derivative else self.h**lost)
+        return Polynomial(found, rest.upper(), terms or self.order - lost)
 
-    def left_out(self, parts: Parts, t: arb, derivative: int) -> arb:
-        """Return a bound on what this derivative of a sum of rows leaves out up to t."""
-        total = arb(0)
-        for row, own, factor in parts:
-            n = derivative + own
-            total += abs(factor) * self.rests[row] * (math.perm(self.order, n) * t ** (self.order - n))
-        return total.upper()
+    def short(self, h: arb) -> list[Polynomial]:
+        """Return FEW terms of each guard, and what they leave out up to h."""
+        rests = [_most(row, sizes) for sizes in [self.sizes(FEW, h)] for row in self.flow.guarded]
+        return [self.guard(which, FEW)._replace(rest=rest) for which, rest in enumerate(rests)]
 
-    def guard_off(self, which: int, t: arb, derivative: int) -> arb:
-        """Return a bound on what this derivative of a guard leaves out up to t."""
-        return self.left_out(self.flow.guards[which], t, derivative)
-
-    def short(self, h: arb) -> tuple[list[list[arb]], list[arb]]:
-        """Return FEW coefficients of each guard, and R: up to h they leave out at most R t^FEW."""
-        rows, sizes = (self.guard(which) for which in range(len(self.flow.guards))), self.sizes(FEW, h)
-        return [[row[k] for k in range(FEW)] for row in rows], [_most(row, sizes) for row in self.flow.guarded]
+    def left_out(self, row: int, t: arb, derivative: int) -> arb:
+        """Return a bound on what this derivative of a row leaves out up to t."""
+        n = self.order - derivative
+        return (self.rests[row] * (math.perm(self.order, derivative) * t**n)).upper()
 
     def state(self, t: arb) -> list[arb]:
         """Return the state at a time after the point."""
         h, z = t.abs_upper(), self.z
         found = [
-            widened(curve(t), self.left_out([(body, 0, 1)], h, n))
+            widened(curve(t), self.left_out(body, h, n))
             for body, x in enumerate(self.curves[: 1 + self.flow.slips])
             for n, curve in enumerate((x, x.derivative()))
         ]
@@ -176,8 +173,7 @@ class Expansion:
         """Return bounds on |v1'| and |v2'| over a ball of times."""
         bodies, h = (0, int(self.flow.slips)), t.upper()
         return [
-            self.curves[body].derivative().derivative()(t).abs_upper() + self.left_out([(body, 0, 1)], h, 2)
-            for body in bodies
+            self.curves[body].derivative().derivative()(t).abs_upper() + self.left_out(body, h, 2) for body in bodies
         ]
 
 
