@@ -20,10 +20,9 @@ from numerics.arithmetic.ball import Ball
 
 CLEAR, UNKNOWN = -1, -2
 """No guard vanishes; that is not proved. Otherwise the answer is the index of the guard that does."""
-_RATIO, _BEHIND, _FINE = arb("0.4873"), arb((1, -12)), arb((1, -40))
+_RATIO, _BEHIND = arb("0.4873"), arb((1, -12))
 """Intervals are cut a little below their middle: a root at a round number is then seldom an end of one. When they are
-shorter than the time behind them by the second factor, it is better to look again from there; if that time is not
-shorter than the reach by the third one."""
+shorter than the time behind them by the second factor, it is better to look again from there."""
 
 
 class Polynomial(NamedTuple):
@@ -108,6 +107,8 @@ def march(
     than `least`.
     """
     since, curves = arb(0), first
+    if not all(one.order or one.polynomial[0] > one.margin for one in first):
+        return None
     while h > least.max(since * _BEHIND):
         hit = look(curves, since, h)
         if hit == UNKNOWN or (hit != CLEAR and not finds):
@@ -120,7 +121,7 @@ def march(
             since, h, curves = (since + h).mid(), 2 * h, later
             left = (reach - since).upper()
             h = left if left < 2 * h else h
-    return Clear(since, h) if since > reach * _FINE else None
+    return Clear(since, h) if since > 0 else None
 
 
 def newton(curve: arb_poly, low: arb, high: arb, at: arb, settled: arb) -> arb:
