@@ -46,9 +46,9 @@ def ledger(problem: Problem, space: Any, rows: Any, first: int, count: int, end:
         piece, mode = int(row[_PIECE]), int(row[_MODE])
         here = piece, mode, run.drive.places[piece, 0] + int(row[_CELL])
         h, left, N = run.tables.steps[here[2], 1 if mode == 0 else 0], after[_LENGTH], off_in(run, after)
+        taken[6] += at_event(run, row)
         if left > LONG * h:
             return k
-        taken[6] += at_event(run, row)
         while left > 0.0:
             s = min(1.0, left / h)
             step(run, here, s, N, taken)

@@ -22,7 +22,7 @@ from numerics.free.frame import ReducedState
 from numerics.linear.engine import ledger_of as taken_of_floats
 from numerics.linear.model import WALL
 from numerics.linear.modes import EventKind, Mode
-from numerics.linear.record import BOUNDS, NUMBERS, ROW, How, Record
+from numerics.linear.record import NUMBERS, ROW, How, Record
 from numerics.linear.system import value
 from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
@@ -163,13 +163,13 @@ def taken_in(run: Rows, rows: range) -> list[Number]:
 
 
 def _enclosed(run: Rows, row: int) -> Sequence[arb]:
-    """Return what is taken in a row's segment in float64, for all starts and ends within their bounds."""
-    at = {name: run.row_column(name).tolist() for name in (*NUMBERS, *BOUNDS)}
-    begun = Ball.number(run.pieces[run.row_pieces[row]].start) + at["local"][row] + at["local_rest"][row]
-    state = [arb(at[name][row], at[f"{name}_error"][row]) for name in STATE]
+    """Return what is taken in a row's segment in float64, from all starts within their bounds."""
+    local, rest, length, *state = (run.row_column(name) for name in NUMBERS)
+    begun = Ball.number(run.pieces[run.row_pieces[row]].start) + local[row] + rest[row]
+    errors = (run.row_column(f"{name}_error")[row] for name in STATE)
     with _LONG.context():
-        motion = Moving(_LONG, run.row_mode(row), state, begun + arb(0, at["late"][row]))
-        return motion.taken(arb(at["length"][row + 1], at["late"][row] + at["late"][row + 1]))
+        start = [arb(float(x[row]), float(off)) for x, off in zip(state, errors, strict=True)]
+        return Moving(_LONG, run.row_mode(row), start, begun).taken(arb(float(length[row + 1])))
 
 
 def energy_of(run: Rows, t: Array, y: Array) -> Array:
