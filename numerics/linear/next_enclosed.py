@@ -137,6 +137,8 @@ def long_step(path: EnclosedPath, at: At, left: arb) -> Clear | None:
     """Return a long time in which the guards exceed an amplitude, if there is one."""
     least = _LONG / path.flow(at).fastest
     for curves in slow_curves(path, at, arb(0), path.flow(at).fastest / 4) if not at.orders[0] else ():
+        if not all(one.polynomial[0] > one.margin for one in curves):
+            continue
         h = left
         for one in curves:  # up to next to where the slow part comes down to the amplitude, if it does
             curve = one.polynomial - 4 * one.margin

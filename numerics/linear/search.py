@@ -107,8 +107,6 @@ def march(
     than `least`.
     """
     since, curves = arb(0), first
-    if not all(one.order or one.polynomial[0] > one.margin for one in first):
-        return None
     while h > least.max(since * _BEHIND):
         hit = look(curves, since, h)
         if hit == UNKNOWN or (hit != CLEAR and not finds):
