@@ -99,7 +99,7 @@ class EnclosedRun(EnclosedPath):
         local, t, late, norm = root.local, root.tau, root.late, at.norm
         if self.varies:
             norm = norm * self.growth(at, t)
-            reached = at.place + self.kappa * norm * (4 * late + (t if at.mode else 0))
+            reached = self.parted(at._replace(norm=norm), t, 2 * late)
             # about the event both motions may be in different cells
             norm = norm + 4 * self.kappa * self.pulling * reached * late
             norm = norm * (2 * self.kappa**2 * self.falling * late).exp()
@@ -116,9 +116,8 @@ class EnclosedRun(EnclosedPath):
             points[V1] = points[V2]
         gaps = [(state[k] - points[k]).abs_upper() for k in (V1, V2)]
         off_1, off_2 = state[X1].rad(), state[X2].rad()
-        apart = self.kappa * norm * (2 * late + (t if at.mode else 0))
+        place = (self.parted(at, t, late) + off_1 + off_2).upper()
         norm = (norm + self.flow(at).norm.of((off_1, gaps[0], -off_2, gaps[1])) + self.kappa * bound).upper()
-        place = (at.place + apart + off_1 + off_2).upper()
         far = self.far(at, t, off_1, norm)
         found = found._replace(local=local, state=points, norm=norm, far=far, place=place)
         return self.reweighed(found, self.weight(at)), here, event
@@ -208,10 +207,7 @@ class EnclosedRun(EnclosedPath):
         if together:
             one = two = one.intersection(two)
         runs = [late * (abs(speed) + bend * late) for speed, bend in zip((v1, v2), bends, strict=True)]
-        place = at.place + 2 * self.kappa * at.norm * late
-        if at.mode:
-            place = place + self.kappa * at.norm * t
-        return [widened(x1, far + runs[0]), one, widened(x2, far + place + runs[1]), two]
+        return [widened(x1, far + runs[0]), one, widened(x2, far + self.parted(at, t, late) + runs[1]), two]
 
     def next_piece(self, at: At) -> At:
         """Return the start of the next piece, where signals may jump."""

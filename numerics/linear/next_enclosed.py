@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from flint import arb, arb_poly
+from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import precision
@@ -157,8 +157,8 @@ def slow_curves(path: EnclosedPath, at: At, *limits: arb) -> Iterator[list[Curve
     for limit in limits:
         found = []
         for one in guards:
-            row, rest, amplitude = swings.taken(motion.flow.bent[one.row], limit)
-            found.append(Curve(arb_poly(row) * sign, rest, len(row), one.margin + amplitude))
+            (p, rest, terms), amplitude = swings.taken(motion.flow.bent[one.row], limit)
+            found.append(Curve(p * sign, rest, terms, one.margin + amplitude))
         if limit.is_zero() or any(one.rest > 0 for one in found):
             yield found
 

@@ -142,13 +142,13 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
         z = mode.begin([Ball.number(Fraction(one)) for one in (x, v, 0, -3 if slips else v)], arb(0))
         found, row = Swings(flow, z), flow.guarded[-1]
         for limit in (arb(0), flow.fastest / 4):
-            taken = found.taken(flow.bent[-1], limit)
+            (curve, rest, terms), amplitude = found.taken(flow.bent[-1], limit)
             for k in range(1, 60, 4):
-                t = Ball.number(Fraction(k, 40)) if taken.rest == 0 else flow.reach * k / 30
-                true, near = dot(row, exponential(mode.generator(), t, z)), arb_poly(taken.row)(t)
+                t = Ball.number(Fraction(k, 40)) if rest == 0 else flow.reach * k / 30
+                true, near = dot(row, exponential(mode.generator(), t, z)), curve(t)
                 off = abs(true - near)
-                assert not off > taken.amplitude + taken.rest * t ** len(taken.row) + OFF
-                nearest = max(nearest, float((off / taken.amplitude).mid()))
+                assert not off > amplitude + rest * t**terms + OFF
+                nearest = max(nearest, float((off / amplitude).mid()))
     assert nearest > 0.6
 
 
