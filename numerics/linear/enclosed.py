@@ -18,7 +18,6 @@ from numerics.linear.cells import VANISHES
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Expansion
 from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, X1, X2
-from numerics.linear.modes import UNDECIDED, mode_on_surface
 from numerics.linear.next_enclosed import SHY, Root, next_event, short_step, slow_curves
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
@@ -131,9 +130,12 @@ class EnclosedRun(EnclosedPath):
         above = self.kept * b * late  # while one sticks at more than b and the other slips
         if at.mode:
             contact = self.mirrored(at)
-            mode = mode_on_surface(load, b, arb(0), literal=self.literal)
-            mode, order = (mode, abs(mode)) if contact is None else self.exactly_after(at, contact)
-            if mode in {UNDECIDED, at.mode}:
+            if contact is None:
+                mode = self.on_surface(at, load, b, arb(0))
+                order = abs(mode)
+            else:
+                mode, order = self.exactly_after(at, contact)
+            if mode == at.mode:
                 raise self.undecided(at)
             after, off = late if mode == 0 else arb(0), 2 * b * span
             if mode == 0:
@@ -157,6 +159,14 @@ class EnclosedRun(EnclosedPath):
         if self.varies:  # by how much F is not B(0) + C in between
             off = off + 4 * speed * span * (self.steep + self.pulling * span)
         return self.entered(at._replace(mode=mode, late=after, contact=contact, is_slow=False), order, event), off
+
+    def on_surface(self, at: At, load: arb, b: arb, error: arb) -> int:
+        """Return the mode that follows v1 = v2 after a point, from the load (N), which is known up to an error."""
+        if self.literal or abs(load) + error < b:
+            return 0
+        if abs(load) - error > b:
+            return 1 if load > 0 else -1
+        raise self.undecided(at)
 
     def mirrored(self, at: At) -> Fraction | None:
         """Return x1 where a slip comes back to v1 = v2, if it is known exactly: the mirror image of where it left."""
@@ -218,9 +228,7 @@ class EnclosedRun(EnclosedPath):
             found = self.beside(end, found)
         if found.mode == 0 and piece.is_jump:
             flow, z = self.here(found)
-            mode = mode_on_surface(dot(flow.load, z), self.edge(found, flow, z), self.margin(end), literal=self.literal)
-            if mode == UNDECIDED:
-                raise self.undecided(at)
+            mode = self.on_surface(at, dot(flow.load, z), self.edge(found, flow, z), self.margin(end))
             found = self.entered(found._replace(mode=mode), abs(mode), found.state)
         return self.reweighed(found, root_g)
 
