@@ -8,16 +8,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
+from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Trajectory, Weakening
 from numerics.arithmetic.compiled import compiled
+from numerics.arithmetic.float64 import Float64
 from numerics.linear.cells import cells_of
 from numerics.linear.engine import _exact_rows
 from numerics.linear.exact_start import exact_knots
 from numerics.linear.kernel import Log, begin, follow
-from numerics.linear.ledger import ledger
 from numerics.linear.prepare import Prepared, prepare
-from numerics.linear.record import AT, END_ROW, ROW
+from numerics.linear.record import AT, END_ROW, ROW, How, Record, finish
 from numerics.linear.room import form_z, run_of, space_for
+from numerics.trajectory.events import taken_in
 
 BOUNDS = [AT[name] for name in ("late", "x1_error", "v1_error", "x2_error", "v2_error")]
 STATE = [AT[name] for name in ("x1", "v1", "x2", "v2")]
@@ -60,7 +61,11 @@ def run(scene, by=NOTHING, most=60):
     space = space_for(prepared.problem.tables)
     how, count = compiled(follow)(prepared.problem, space, start, -1.0, Log(rows, end, most, True))
     if how < 3:
-        compiled(ledger)(prepared.problem, space, rows, count - (how == 2), end, end[AT["friction"] :])
+        mass, time, length = prepared.units
+        record = Record(rows[:count].copy(), end.copy(), How(how), int(end[AT["events"]]))
+        compiled(finish)(record.rows, record.end, *prepared.units)
+        taken = taken_in(Trajectory(scene, Float64(), record), range(count - (how == 2)))
+        end[AT["friction"] :] = np.ldexp(taken, 2 * time - mass - 2 * length)
     return Run(how, rows[:count], end, prepared)
 
 

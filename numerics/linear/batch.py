@@ -79,7 +79,10 @@ def follow_rows(given: Any, work: Work, literal: bool, max_events: int, has_ledg
         problem, log = Problem(norm, drive, tables, literal), Log(found, end, max_events, False)
         how, count = follow(problem, work.space, start, -1.0, log)
         if has_ledger and how < OUT_OF_RANGE:
-            ledger(problem, work.space, found, count - (1 if how == EVENT_LIMIT else 0), end, end[_TAKEN:])
+            segments, taken = count - (1 if how == EVENT_LIMIT else 0), end[_TAKEN:]
+            taken[:] = 0.0
+            if ledger(problem, work.space, found, 0, segments, end, taken) < segments:
+                taken[:] = np.nan
         if how >= OUT_OF_RANGE or not finish(found[:count], end, units[0], units[1], units[2]):
             end[_HOW] = UNKNOWN
 
@@ -88,8 +91,8 @@ def follow_rows(given: Any, work: Work, literal: bool, max_events: int, has_ledg
 def put_bodies(numbers: Any, start: Any) -> tuple[Bodies, tuple[int, int, int]]:
     """Write a row's start in its units; return its bodies, and the exponents of mass, time and length."""
     m1, m2, a2, b, a1 = numbers[0], numbers[1], numbers[2], numbers[3], numbers[9]
-    mass = int(math.frexp(m1 + m2)[1])
-    time, length = (mass - int(math.frexp(a2)[1])) // 2, int(math.frexp(b * (m1 + m2) / (a2 * m2))[1])
+    mass = 0 + math.frexp(m1 + m2)[1]  # of 64 bits, as are the units of a scene
+    time, length = (mass - math.frexp(a2)[1]) // 2, 0 + math.frexp(b * (m1 + m2) / (a2 * m2))[1]
     m1, m2 = math.ldexp(m1, -mass), math.ldexp(m2, -mass)
     for i in range(4):
         start[_X1 + i] = math.ldexp(numbers[4 + i], -length + (time if i % 2 else 0))

@@ -18,12 +18,11 @@ from numerics.linear.cells import VANISHES
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Expansion
 from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, X1, X2
-from numerics.linear.modes import UNDECIDED, mode_on_surface
-from numerics.linear.next_enclosed import SHY, Bracket, Root, next_event, short_step
+from numerics.linear.next_enclosed import SHY, Root, next_event, short_step, slow_curves
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
+from numerics.linear.search import CLEAR
 from numerics.linear.sine_form import SineForm
-from numerics.linear.swings import Swings
 from numerics.linear.system import dot
 from numerics.linear.ties import mode_after, signal_form
 from numerics.scene import Scene
@@ -99,7 +98,7 @@ class EnclosedRun(EnclosedPath):
         local, t, late, norm = root.local, root.tau, root.late, at.norm
         if self.varies:
             norm = norm * self.growth(at, t)
-            reached = at.place + self.kappa * norm * (4 * late + (t if at.mode else 0))
+            reached = self.parted(at._replace(norm=norm), t, 2 * late)
             # about the event both motions may be in different cells
             norm = norm + 4 * self.kappa * self.pulling * reached * late
             norm = norm * (2 * self.kappa**2 * self.falling * late).exp()
@@ -116,9 +115,8 @@ class EnclosedRun(EnclosedPath):
             points[V1] = points[V2]
         gaps = [(state[k] - points[k]).abs_upper() for k in (V1, V2)]
         off_1, off_2 = state[X1].rad(), state[X2].rad()
-        apart = self.kappa * norm * (2 * late + (t if at.mode else 0))
+        place = (self.parted(at, t, late) + off_1 + off_2).upper()
         norm = (norm + self.flow(at).norm.of((off_1, gaps[0], -off_2, gaps[1])) + self.kappa * bound).upper()
-        place = (at.place + apart + off_1 + off_2).upper()
         far = self.far(at, t, off_1, norm)
         found = found._replace(local=local, state=points, norm=norm, far=far, place=place)
         return self.reweighed(found, self.weight(at)), here, event
@@ -132,9 +130,12 @@ class EnclosedRun(EnclosedPath):
         above = self.kept * b * late  # while one sticks at more than b and the other slips
         if at.mode:
             contact = self.mirrored(at)
-            mode = mode_on_surface(load, b, arb(0), literal=self.literal)
-            mode, order = (mode, abs(mode)) if contact is None else self.exactly_after(at, contact)
-            if mode in {UNDECIDED, at.mode}:
+            if contact is None:
+                mode = self.on_surface(at, load, b, arb(0))
+                order = abs(mode)
+            else:
+                mode, order = self.exactly_after(at, contact)
+            if mode == at.mode:
                 raise self.undecided(at)
             after, off = late if mode == 0 else arb(0), 2 * b * span
             if mode == 0:
@@ -149,7 +150,7 @@ class EnclosedRun(EnclosedPath):
             if self.kept > 0:
                 order = 1
             else:
-                bend = -Expansion(flow, z, arb(0)).guard(root.guard.row)[1] * kappa * kappa
+                bend = -Expansion(flow, z, arb(0)).guard(root.guard.row).polynomial[1] * kappa * kappa
                 if not bend > 0:
                     raise self.undecided(at)
                 # where the load is not quite b, the slip starts a little later than here
@@ -158,6 +159,14 @@ class EnclosedRun(EnclosedPath):
         if self.varies:  # by how much F is not B(0) + C in between
             off = off + 4 * speed * span * (self.steep + self.pulling * span)
         return self.entered(at._replace(mode=mode, late=after, contact=contact, is_slow=False), order, event), off
+
+    def on_surface(self, at: At, load: arb, b: arb, error: arb) -> int:
+        """Return the mode that follows v1 = v2 after a point, from the load (N), which is known up to an error."""
+        if self.literal or abs(load) + error < b:
+            return 0
+        if abs(load) - error > b:
+            return 1 if load > 0 else -1
+        raise self.undecided(at)
 
     def mirrored(self, at: At) -> Fraction | None:
         """Return x1 where a slip comes back to v1 = v2, if it is known exactly: the mirror image of where it left."""
@@ -208,10 +217,7 @@ class EnclosedRun(EnclosedPath):
         if together:
             one = two = one.intersection(two)
         runs = [late * (abs(speed) + bend * late) for speed, bend in zip((v1, v2), bends, strict=True)]
-        place = at.place + 2 * self.kappa * at.norm * late
-        if at.mode:
-            place = place + self.kappa * at.norm * t
-        return [widened(x1, far + runs[0]), one, widened(x2, far + place + runs[1]), two]
+        return [widened(x1, far + runs[0]), one, widened(x2, far + self.parted(at, t, late) + runs[1]), two]
 
     def next_piece(self, at: At) -> At:
         """Return the start of the next piece, where signals may jump."""
@@ -222,9 +228,7 @@ class EnclosedRun(EnclosedPath):
             found = self.beside(end, found)
         if found.mode == 0 and piece.is_jump:
             flow, z = self.here(found)
-            mode = mode_on_surface(dot(flow.load, z), self.edge(found, flow, z), self.margin(end), literal=self.literal)
-            if mode == UNDECIDED:
-                raise self.undecided(at)
+            mode = self.on_surface(at, dot(flow.load, z), self.edge(found, flow, z), self.margin(end))
             found = self.entered(found._replace(mode=mode), abs(mode), found.state)
         return self.reweighed(found, root_g)
 
@@ -242,23 +246,21 @@ class EnclosedRun(EnclosedPath):
 
     def is_stuck(self, end: At) -> bool:
         """Return whether stick at the horizon is proved to last for ever, if u and b go on as they are."""
-        flow = self.flow(end)
         if end.mode or self.literal or self.lasts(end):
             return end.mode == 0
         for _ in range(_AHEAD):
-            z = self.here(end)[1]
-            held = [Swings(flow, z).taken(row, arb(0)) for row in flow.bent]
-            if any(len(one.row) > 1 for one in held):
+            curves = next(slow_curves(self, end, arb(0)))
+            if any(one.terms > 1 for one in curves):
                 return False
-            if all(one.row[0] > one.amplitude + self.margin(end) for one in held):
+            if all(one.polynomial[0] > one.margin for one in curves):
                 return True
             try:
-                found = short_step(self, end, flow.reach, flow.reach)
+                found = short_step(self, end, self.flow(end).reach)
             except EventUndecided:
                 return False
-            if isinstance(found, Bracket):
+            if found.hit != CLEAR:
                 return False
-            end = self.evolved(end, (end.local + found[0] * SHY).mid())
+            end = self.evolved(end, (end.local + found.since * SHY).mid())
         return False
 
     # ------------------------------------------------------------------ record

@@ -74,15 +74,21 @@ def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) 
     return Record(rows, end, How(how), int(end[AT["events"]]))
 
 
-def ledger_of(scene: Scene, record: Record) -> NDArray[np.float64]:
-    """Return what was taken and given in a run in float64 (model.TAKEN), J, and a bound on the error of each, (7,)."""
+def ledger_of(scene: Scene, record: Record) -> tuple[NDArray[np.float64], list[int]]:
+    """Return what was taken and given in a run in float64 (model.TAKEN), J, and a bound on the error of each, (7,).
+
+    Without the rows, returned too, whose segments are too long for steps.
+    """
     prepared, count = prepare(scene), len(record.rows) - (record.how == How.EVENT_LIMIT)
     rows, end, taken, (mass, time, length) = record.rows.copy(), record.end.copy(), np.zeros(7), prepared.units
     compiled(finish)(rows, end, -mass, -time, -length)
-    compiled(ledger)(prepared.problem, space_for(prepared.problem.tables), rows, count, end, taken)
+    space, long, first = space_for(prepared.problem.tables), list[int](), 0
+    while (first := compiled(ledger)(prepared.problem, space, rows, first, count, end, taken)) < count:
+        long.append(first)
+        first += 1
     found = np.ldexp(taken, mass + 2 * length - 2 * time)
     found[6] += TINY if taken[6] > 0.0 else 0.0
-    return found
+    return found, long
 
 
 def _run(

@@ -18,7 +18,8 @@ from flint import arb, arb_mat, arb_poly, ctx
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.arithmetic.precision import precision
-from numerics.linear.model import CONSTANT, FRICTION, V1, X1, X2, Cell, Layout
+from numerics.linear.model import CONSTANT, V1, X1, X2, Cell, Layout
+from numerics.linear.search import Polynomial
 from numerics.linear.system import BallRow, LinearMode, LocalNorm, Row, Z, matrix, sparse
 from numerics.scene import Pair
 
@@ -28,10 +29,9 @@ BEND = -1
 """Stands in rows for v1'."""
 FEW = 14
 """So many coefficients of a guard are scanned."""
-Parts = Sequence[tuple[int, int, arb | int]]
-"""A sum of rows, of each the index, which derivative, and a factor."""
-_OF_SLIP: list[Parts] = [[(0, 1, 1), (1, 1, -1)], [(0, 0, 1), (1, 0, -1)]]
-_OF_STICK: list[Parts] = [[(2, 0, 1), (1, 0, -1)], [(2, 0, 1), (1, 0, 1)]]
+_OF_SLIP = (1, ((0, 1), (1, -1))), (0, ((0, 1), (1, -1))), (0, ((2, 1),))
+_OF_STICK = (0, ((1, 1),)), (0, ((2, 1),))
+"""Of each guard, of which derivative of rows it is a sum: their indices and signs."""
 _SLOWEST = arb((1, -2_000))
 """The rate of what has none, 1/s."""
 
@@ -48,9 +48,9 @@ def exponential(generator: list[list[Fraction]], t: arb, z: list[arb]) -> list[a
 class Flow:
     """The flow of stick, or of slip + in one cell of friction, under signals of one layout.
 
-    Its polynomials are those of `rows`: x1, x2 and b in a slip; x1, Lambda and b_static in stick, where body 2 goes
-    with body 1. Guards are w = v1 - v2 in a slip, and where friction depends on the state x1 - x2 and F besides;
-    b_static - Lambda and b_static + Lambda in stick.
+    Guards are w = v1 - v2 in a slip, and where friction depends on the state x1 - x2 and F besides; b_static - Lambda
+    and b_static + Lambda in stick. Its polynomials are those of `rows`: x1, x2 and F in a slip; x1 and both guards in
+    stick, where body 2 goes with body 1.
     """
 
     def __init__(self, bits: int, pair: Pair, slips: bool, layout: Layout, cell: Cell | None = None) -> None:
@@ -65,14 +65,11 @@ class Flow:
         self.fastest = self.norm.fastest.max(_SLOWEST)
         self.reach = (REACH / self.fastest).lower()
         self.load, self.edge, _, self.belt = (_in_balls(sparse(row)) for row in self.mode.rows.others)
-        x1, x2 = [(X1, arb(1))], [(X2, arb(1))]
-        self.rows, self.guards = ([x1, x2], _OF_SLIP[:1]) if slips else ([x1, self.load, self.edge], _OF_STICK)
-        if slips and cell:
-            self.rows.append(_in_balls(self.mode.signal(FRICTION)))
-            of_state = ((k, d, c * f) for f, of in zip(map(number, cell), _OF_SLIP, strict=False) for k, d, c in of)
-            self.guards = [*_OF_SLIP, [(2, 0, number(cell[2])), *of_state]]
         guarded = [*self.mode.guards, *((Z, self.mode.friction) if cell else ())]
         self.guarded = list(map(_in_balls, guarded))
+        x1, x2 = [(X1, arb(1))], [(X2, arb(1))]
+        self.rows = [x1, x2, *self.guarded[2:]] if slips else [x1, *self.guarded]
+        self.guards = (_OF_SLIP if slips else _OF_STICK)[: len(guarded)]
         stiff = A[V1][X1]
         self.bent = []
         for row in map(dict, guarded):
@@ -138,35 +135,31 @@ class Expansion:
             further += [z[place] * power, z[place + 1] * power]
         return flow.norm.sizes(further, h)
 
-    def guard(self, which: int) -> arb_poly:
-        """Return the polynomial of a guard."""
-        found = arb_poly([])
-        for row, derivative, factor in self.flow.guards[which]:
-            found += (self.curves[row].derivative() if derivative else self.curves[row]) * factor
-        return found
+    def guard(self, which: int, terms: int = 0) -> Polynomial:
+        """Return a guard, which leaves out as much up to h; or so many of its terms, and of the rest nothing."""
+        (derivative, parts), found, rest = self.flow.guards[which], arb_poly([]), arb(0)
+        for row, sign in parts:
+            found += sign * (arb_poly(self.found[row][: terms + derivative]) if terms else self.curves[row])
+            rest += self.rests[row]
+        if derivative:
+            found, rest = found.derivative(), rest * self.order
+        return Polynomial(found, rest.upper(), terms or self.order - derivative)
 
-    def left_out(self, parts: Parts, t: arb, derivative: int) -> arb:
-        """Return a bound on what this derivative of a sum of rows leaves out up to t."""
-        total = arb(0)
-        for row, own, factor in parts:
-            n = derivative + own
-            total += abs(factor) * self.rests[row] * (math.perm(self.order, n) * t ** (self.order - n))
-        return total.upper()
+    def short(self, h: arb) -> list[Polynomial]:
+        """Return FEW terms of each guard, and what they leave out up to h."""
+        rests = [_most(row, sizes) for sizes in [self.sizes(FEW, h)] for row in self.flow.guarded]
+        return [self.guard(which, FEW)._replace(rest=rest) for which, rest in enumerate(rests)]
 
-    def guard_off(self, which: int, t: arb, derivative: int) -> arb:
-        """Return a bound on what this derivative of a guard leaves out up to t."""
-        return self.left_out(self.flow.guards[which], t, derivative)
-
-    def short(self, h: arb) -> tuple[list[list[arb]], list[arb]]:
-        """Return FEW coefficients of each guard, and R: up to h they leave out at most R t^FEW."""
-        rows, sizes = (self.guard(which) for which in range(len(self.flow.guards))), self.sizes(FEW, h)
-        return [[row[k] for k in range(FEW)] for row in rows], [_most(row, sizes) for row in self.flow.guarded]
+    def left_out(self, row: int, t: arb, derivative: int) -> arb:
+        """Return a bound on what this derivative of a row leaves out up to t."""
+        n = self.order - derivative
+        return (self.rests[row] * (math.perm(self.order, derivative) * t**n)).upper()
 
     def state(self, t: arb) -> list[arb]:
         """Return the state at a time after the point."""
         h, z = t.abs_upper(), self.z
         found = [
-            widened(curve(t), self.left_out([(body, 0, 1)], h, n))
+            widened(curve(t), self.left_out(body, h, n))
             for body, x in enumerate(self.curves[: 1 + self.flow.slips])
             for n, curve in enumerate((x, x.derivative()))
         ]
@@ -176,8 +169,7 @@ class Expansion:
         """Return bounds on |v1'| and |v2'| over a ball of times."""
         bodies, h = (0, int(self.flow.slips)), t.upper()
         return [
-            self.curves[body].derivative().derivative()(t).abs_upper() + self.left_out([(body, 0, 1)], h, 2)
-            for body in bodies
+            self.curves[body].derivative().derivative()(t).abs_upper() + self.left_out(body, h, 2) for body in bodies
         ]
 
 

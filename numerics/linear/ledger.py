@@ -6,14 +6,12 @@ for after a run only: most runs are not.
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, two_product
-from numerics.linear.calm import add, doubled, put_product
+from numerics.arithmetic.pair import pair_of, plus, put, two_product
 from numerics.linear.first_root import value_slope
 from numerics.linear.model import V1, V2, X1, X2, Norm
 from numerics.linear.record import AT
@@ -24,9 +22,8 @@ NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polyno
 """Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding, in `parts`."""
 TINY = 2.0**-1060
 """More than energies can lose below the normal numbers, J."""
-_LONG, _MOST_LEVELS, _MOST_STEPS = 256.0, 36, 1_000_000
-"""From so many steps on a segment is taken by powers of its flow, each the square of the one before it, of so many at
-most; further steps are not waited for."""
+LONG = 256.0
+"""Segments of more steps are left to an enclosure (trajectory/events.py)."""
 _MODE, _PIECE, _CELL, _LOCAL, _REST = (AT[name] for name in ("mode", "piece", "cell", "local", "local_rest"))
 _LENGTH, _X1, _LATE, _X1_ERROR, _ERROR = (AT[name] for name in ("length", "x1", "late", "x1_error", "speed_error"))
 
@@ -38,34 +35,27 @@ def parts(terms: int) -> int:
 
 
 @compilable_with(forceinline=False)
-def ledger(problem: Problem, space: Any, rows: Any, count: int, end: Any, taken: Any) -> None:
-    """Write to `taken` (7,) what is TAKEN in a run, from its rows and that of its end, and a bound on all its errors.
+def ledger(problem: Problem, space: Any, rows: Any, first: int, count: int, end: Any, taken: Any) -> int:
+    """Add to `taken` (7,) what is TAKEN in a run, from its rows and that of its end, and a bound on all errors.
 
-    nan where a segment has more steps than anybody waits for.
+    Return the row at which a segment is too long for steps, which is left out, or `count`.
     """
     run = run_of(problem, space)
-    taken[:] = 0.0
-    steps = 0
-    for k in range(count):
+    for k in range(first, count):
         row, after = rows[k], rows[k + 1] if k + 1 < count else end
         piece, mode = int(row[_PIECE]), int(row[_MODE])
         here = piece, mode, run.drive.places[piece, 0] + int(row[_CELL])
-        for i in range(STATE):
-            run.y[i] = row[_X1 + i]
-        run.clock[0, 0], run.clock[0, 1] = row[_LOCAL], row[_REST]
-        taken[6] += at_event(run, row)
         h, left, N = run.tables.steps[here[2], 1 if mode == 0 else 0], after[_LENGTH], off_in(run, after)
-        if left > _LONG * h:
-            left = by_powers(run, here, left, N, taken)
-        while left > 0.0 and steps < _MOST_STEPS:
+        taken[6] += at_event(run, row)
+        if left > LONG * h:
+            return k
+        while left > 0.0:
             s = min(1.0, left / h)
             step(run, here, s, N, taken)
             left = left - h if s == 1.0 else 0.0
-            steps += 1
     if count > 0:
         taken[6] += at_event(run, end)
-    if steps == _MOST_STEPS:
-        taken[:] = np.nan
+    return count
 
 
 @compilable
@@ -105,79 +95,13 @@ def step(run: Run, here: tuple[int, int, int], s: float, N: float, taken: Any) -
         run.y[i], _ = value_slope(run.curves[i], s)
 
 
-@compilable_with(makes_arrays=True, forceinline=False)
-def by_powers(run: Run, here: tuple[int, int, int], left: float, N: float, taken: Any) -> float:
-    """Add what is taken over most of a long segment, and move the state there; return how much of it is left.
-
-    The integral of a product of rows over a time is a quadratic form F of z, and F(2 t) = F(t) + E F(t) E with the flow
-    E(t). What is integrated of |p| is at most sqrt(t int p^2).
-    """
-    tables, (piece, mode, kind) = run.tables, here
-    side = 1 if mode == 0 else 0
-    h, powers = tables.steps[kind, side], tables.lines[kind, side, POWERS:LINES]
-    A = tables.A[kind, side]
-    levels = min(_MOST_LEVELS, 1 + math.floor(math.log2(left / h)))
-    flows = doubled(A, h, levels)
-    forms = doubled_forms(A, powers, h, flows)
-    while left > _LONG * h:
-        level = min(levels - 1, math.floor(math.log2(left / h)))
-        form_z(run, piece, mode, False)
-        time = math.ldexp(h, level)
-        for k in range(6):
-            p, q = max(form_at(forms[level, k, 1], run.z), 0.0), max(form_at(forms[level, k, 2], run.z), 0.0)
-            taken[k] += form_at(forms[level, k, 0], run.z)
-            a, b = reach(run.norm, powers[2 * k]), reach(run.norm, powers[2 * k + 1])
-            taken[6] += N * (b * math.sqrt(time * p) + a * math.sqrt(time * q) + a * b * N * time)
-            taken[6] += math.ldexp((len(run.z) + 64) * UNIT, level + 2) * math.sqrt(p * q)
-        for i in range(STATE):
-            run.y[i] = dot(flows[level, i], run.z)
-        put(run.clock[0], plus(pair_of(run.clock[0]), TwoFloats(time, 0.0)))
-        left -= time
-    return left
-
-
-@compilable_with(makes_arrays=True, forceinline=False)
-def doubled_forms(A: Any, powers: Any, h: float, flows: Any) -> Any:
-    """Return F of every power, of its first row squared and of its second, for the time of each of these flows."""
-    levels, count = flows.shape[0], A.shape[0]
-    forms, rows = np.zeros((levels, 6, 3, count, count)), np.zeros((2, count))
-    turned, half = np.zeros((count, count)), np.zeros((count, count))
-    for n in range(NODES.shape[0]):
-        flow = doubled(A, h * NODES[n], 1)[0]
-        for k in range(6):
-            for i in range(2):
-                for j in range(count):
-                    rows[i, j] = dot(powers[2 * k + i], flow[:, j])
-            for c, (a, b) in enumerate(((0, 1), (0, 0), (1, 1))):
-                for i in range(count):
-                    for j in range(count):
-                        forms[0, k, c, i, j] += WEIGHTS[n] * h * rows[a, i] * rows[b, j]
-    for level in range(1, levels):
-        flow = flows[level - 1]
-        for i in range(count):
-            for j in range(count):
-                turned[i, j] = flow[j, i]
-        for k in range(6):
-            for c in range(3):
-                put_product(turned, forms[level - 1, k, c], 1.0, half)
-                put_product(half, flow, 1.0, forms[level, k, c])
-                add(forms[level - 1, k, c], forms[level, k, c])
-    return forms
-
-
-@compilable
-def form_at(form: Any, z: Any) -> float:
-    """Return z F z."""
-    total = 0.0
-    for i in range(form.shape[0]):
-        total += z[i] * dot(form[i], z)
-    return total
-
-
 @compilable
 def at_event(run: Run, row: Any) -> float:
-    """Return twice what is at most taken while it is open whether an event has come: its mode may be any."""
+    """Return twice what is at most taken while it is open whether a row's event has come: its mode may be any."""
     piece, N, total = int(row[_PIECE]), off_in(run, row), 0.0
+    for i in range(STATE):
+        run.y[i] = row[_X1 + i]
+    run.clock[0, 0], run.clock[0, 1] = row[_LOCAL], row[_REST]
     tables, kind = run.tables, meeting(run, piece, int(row[_CELL]), 0)
     form_z(run, piece, 1, True)
     for side in range(2):

@@ -14,9 +14,6 @@ Reading `three-valued-sgn`: always stick. At the first instant these rules act o
 from __future__ import annotations
 
 from enum import Enum
-from typing import Any
-
-from numerics.arithmetic.compiled import compilable
 
 
 class Mode(Enum):
@@ -70,21 +67,3 @@ def event_kind(before: Mode, after: Mode) -> EventKind:
     if after is Mode.STICK:
         return EventKind.ENTRY
     return EventKind.EXIT if before is Mode.STICK else EventKind.CROSSING
-
-
-UNDECIDED = 2
-"""What `mode_on_surface` answers where its numbers do not tell: as a sign, no mode has it."""
-
-
-@compilable
-def mode_on_surface(load: Any, b: Any, error: Any, literal: bool) -> int:
-    """Return the mode that follows v1 = v2 (0 stick, +1, -1 the side of a slip), or UNDECIDED.
-
-    `load` is the friction force Lambda = m2 (u - a2 x1 - a1 v1)/(m1 + m2) that sticking needs, N, known up to `error`;
-    floats, numbers of mpmath, or balls, whose comparisons hold only where they are proved. `literal`: sgn(0) = 0.
-    """
-    if literal or abs(load) + error < b:
-        return 0
-    if abs(load) - error > b:
-        return 1 if load > 0 else -1
-    return UNDECIDED

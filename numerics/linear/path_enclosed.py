@@ -221,7 +221,7 @@ class EnclosedPath:
         place, norm = at.place, at.norm
         if at.mode:
             norm = norm * self.growth(at, t)
-            place = place + self.kappa * norm * t
+            place = self.parted(at._replace(norm=norm), t, arb(0))
         elif self.pair.a1 and not self.varies:
             norm = self.shrunk(norm, (t - at.late).lower())
         x1, v1, x2, v2 = (one.rad() for one in state)
@@ -233,6 +233,10 @@ class EnclosedPath:
             points = (points[0], points[1], points[2], points[1])
         late, far = (at.late - t).upper().max(arb(0)), self.far(at, t, x1, norm)
         return at._replace(state=points, norm=norm, far=far, place=(place + x1 + x2).upper(), late=late)
+
+    def parted(self, at: At, t: arb, late: arb) -> arb:
+        """Return a bound on the error of x1 - x2 after a time, and within `late` of then in any mode."""
+        return at.place + self.kappa * at.norm * (2 * late + (t if at.mode else 0))
 
     def far(self, at: At, t: arb, own: arb, norm: arb) -> arb:
         """Return a bound on the error of x1 after a time: by N, or by its rate (where the spring is soft)."""

@@ -9,23 +9,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from flint import acb, arb, arb_poly
 
 from numerics.linear.flow import BEND, FEW, Flow
 from numerics.linear.model import FIRST, V1, V2, X1
+from numerics.linear.search import Polynomial
 from numerics.linear.system import BallRow, length
 
 _I = acb(0, 1)
-
-
-class Taken(NamedTuple):
-    """A row as n Taylor coefficients, which leave out `rest` t^n and terms that are never beyond `amplitude`."""
-
-    row: list[arb]
-    rest: arb
-    amplitude: arb
 
 
 class Swings:
@@ -95,20 +87,19 @@ class Swings:
                 terms[n] = terms[n] + one * c if n in terms else one * c
         return polynomial, terms
 
-    def taken(self, row: BallRow, limit: arb) -> Taken:
-        """Return a row with the terms of rates below a limit as polynomials."""
+    def taken(self, row: BallRow, limit: arb) -> tuple[Polynomial, arb]:
+        """Return a row with the terms of rates below a limit as polynomials, and what the others never exceed."""
         polynomial, terms = self.of(row)
         slow = [(c, self.rates[n]) for n, c in terms.items() if abs(self.rates[n]) < limit]
         amplitude = sum((abs(c) for n, c in terms.items() if not abs(self.rates[n]) < limit), arb(0)).upper()
         coefficients = polynomial.coeffs() or [arb(0)]
-        if not slow:
-            return Taken(coefficients, arb(0), amplitude)
-        coefficients += [arb(0)] * (FEW - len(coefficients))
+        if slow:
+            coefficients += [arb(0)] * (FEW - len(coefficients))
         count = len(coefficients)
         for k in range(count):
             coefficients[k] += sum(((c * rate**k).real for c, rate in slow), arb(0)) / math.factorial(k)
         rest = sum((abs(c) * abs(rate) ** count for c, rate in slow), arb(0)) / math.factorial(count)
-        return Taken(coefficients, rest.upper(), amplitude)
+        return Polynomial(arb_poly(coefficients), rest.upper(), count), amplitude
 
 
 def _now(terms: dict[int, acb]) -> arb:

@@ -13,7 +13,6 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.precision import is_held
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.batch import follow_many
-from numerics.linear.engine import ledger_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
 from numerics.scene import Scene
@@ -21,6 +20,7 @@ from numerics.solver.inputs import floats_of
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores
 from numerics.trajectory.columns import STATE, Counts, Floats
+from numerics.trajectory.events import taken_in
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.trajectory import Trajectory
 
@@ -49,8 +49,8 @@ def form_ledgers(
     if given is not None and can_compile():
         list(in_chunks(partial(form, given), len(left_out), jobs))
     for row in _without_ledger(ends):
-        scene = scene_of(int(row))
-        ends[row, _TAKEN:] = ledger_of(scene, run_scene(scene, _FLOAT64, how[-1]).record)
+        run = run_scene(scene_of(int(row)), _FLOAT64, how[-1])
+        ends[row, _TAKEN:] = taken_in(run, range(len(run.row_lengths)))
 
 
 def _without_ledger(ends: Floats) -> Counts:

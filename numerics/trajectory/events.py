@@ -7,29 +7,36 @@ residual.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
-from flint import arb_mat
+from flint import arb, arb_mat
 
+from numerics.arithmetic.ball import Ball, as_float
 from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
 from numerics.linear.engine import ledger_of as taken_of_floats
 from numerics.linear.model import WALL
 from numerics.linear.modes import EventKind, Mode
-from numerics.linear.record import ROW, How, Record
+from numerics.linear.record import NUMBERS, ROW, How, Record
 from numerics.linear.system import value
 from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.columns import Array, Counts, Floats
+from numerics.trajectory.columns import STATE, Array, Counts, Floats
+from numerics.trajectory.flow import Moving
 from numerics.trajectory.rows import Rows
 
 if TYPE_CHECKING:
     from numerics.scene.decimals import Quantity
+
+_LONG = Ball(20)
+"""For segments that are too long for steps in float64."""
+_ROUNDED = 2.0**-51
+"""A sum of two floats, both rounded, is off by so much of its size."""
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -146,9 +153,23 @@ def taken_in(run: Rows, rows: range) -> list[Number]:
     record, end = run.record, run.record.end.copy()
     if rows.stop < len(record.rows):
         end[:ROW] = record.rows[rows.stop]
-    part = Record(record.rows[rows.start : rows.stop], end, How.REACHED, 0)
-    found: list[Number] = taken_of_floats(run.scene, part).tolist()
+    taken, left = taken_of_floats(run.scene, Record(record.rows[rows.start : rows.stop], end, How.REACHED, 0))
+    for row in left:
+        enclosed = _enclosed(run, rows[row])
+        off = sum(float(one.rad() + one.abs_upper() * _ROUNDED) for one in enclosed)
+        taken += [*map(as_float, enclosed), off]
+    found: list[Number] = taken.tolist()
     return found
+
+
+def _enclosed(run: Rows, row: int) -> Sequence[arb]:
+    """Return what is taken in a row's segment in float64, from all starts within their bounds."""
+    local, rest, length, *state = (run.row_column(name) for name in NUMBERS)
+    begun = Ball.number(run.pieces[run.row_pieces[row]].start) + local[row] + rest[row]
+    errors = (run.row_column(f"{name}_error")[row] for name in STATE)
+    with _LONG.context():
+        start = [arb(float(x[row]), float(off)) for x, off in zip(state, errors, strict=True)]
+        return Moving(_LONG, run.row_mode(row), start, begun).taken(arb(float(length[row + 1])))
 
 
 def energy_of(run: Rows, t: Array, y: Array) -> Array:

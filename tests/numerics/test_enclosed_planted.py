@@ -16,10 +16,10 @@ from numerics.linear import enclosed, next_enclosed
 from numerics.linear.enclosed import EnclosedRun
 from numerics.linear.flow import FEW, Expansion, Flow, exponential
 from numerics.linear.model import V1, V2, Layout
-from numerics.linear.next_enclosed import guards_of
+from numerics.linear.next_enclosed import curves_of
 from numerics.linear.path_enclosed import At
 from numerics.linear.record import How
-from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan
+from numerics.linear.search import CLEAR, UNKNOWN, Curve, look
 from numerics.linear.swings import Swings
 from numerics.linear.system import LinearMode, dot
 
@@ -40,9 +40,9 @@ def test_what_every_step_or_event_is_off_by_is_in_the_bounds(name, place, monkey
     def stated(state):
         return lambda motion, t: [x + e + arb(0, e.upper()) for x, e in zip(state(motion, t), by, strict=False)]
 
-    newton = next_enclosed._newton
+    newton = next_enclosed.newton
     monkeypatch.setattr(Expansion, "state", stated(Expansion.state))
-    monkeypatch.setattr(next_enclosed, "_newton", lambda *given: newton(*given) + by[4])
+    monkeypatch.setattr(next_enclosed, "newton", lambda *given: newton(*given) + by[4])
     found = run(scene, 40, 12)
     assert itinerary(found) == itinerary(exact)
     ours, true = ([x for row in (*events(one), one.end) for x in numbers(scene, row)] for one in (found, exact))
@@ -61,9 +61,11 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
         if root is not None:
             flow, z = path.here(at)
             row, A = flow.guarded[root.guard.row], flow.mode.generator()
+            ends = {kind: end for kind, *end in path.cells.guards(at.mode, at.cell)[0]}
+            sign, offset = ends[root.guard.kind] if at.mode else (1, 0)
 
             def guard(t):
-                return root.guard.offset + root.guard.sign * dot(row, exponential(A, t, z))
+                return Ball.number(offset) + sign * dot(row, exponential(A, t, z))
 
             assert not abs(guard(root.tau)) > root.value
             assert not guard(root.tau - root.window) < 0
@@ -116,16 +118,16 @@ def _holds(flow, z, t, motion):
     assert all(one.overlaps(two) for one, two in zip(motion.state(t), there, strict=False))
     assert all(not one < abs(two) for one, two in zip(motion.bends(t), (rate[V1], rate[V2]), strict=True))
     full = Expansion(flow, z, t)
-    rows, rests = full.short(t)
+    short = full.short(t)
     for which, row in enumerate(flow.guarded):
-        curve, true = motion.guard(which), dot(row, there)
-        assert abs(curve(t) - true) < motion.guard_off(which, t, 0) + OFF
-        assert abs(curve.derivative()(t) - dot(row, rate)) < motion.guard_off(which, t, 1) + OFF
+        (curve, *_), true, guard = motion.guard(which), dot(row, there), Curve(*motion.guard(which), arb(0))
+        assert abs(curve(t) - true) < guard.left_out(t, 0) + OFF
+        assert abs(curve.derivative()(t) - dot(row, rate)) < guard.left_out(t, 1) + OFF
         for order in (3, 5, 8):
-            off = abs(sum((c * t**n for n, c in enumerate(rows[which][:order])), arb(0)) - true)
+            off = abs(arb_poly(short[which].polynomial.coeffs()[:order])(t) - true)
             sizes = full.sizes(order, t)
             assert not off > sum((abs(c) * sizes[k] for k, c in row), arb(0)) * t**order
-        assert not abs(sum((c * t**n for n, c in enumerate(rows[which])), arb(0)) - true) > rests[which] * t**FEW + OFF
+        assert not abs(short[which].polynomial(t) - true) > short[which].rest * t**FEW + OFF
 
 
 @pytest.mark.parametrize("slips", [False, True])
@@ -140,13 +142,13 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
         z = mode.begin([Ball.number(Fraction(one)) for one in (x, v, 0, -3 if slips else v)], arb(0))
         found, row = Swings(flow, z), flow.guarded[-1]
         for limit in (arb(0), flow.fastest / 4):
-            taken = found.taken(flow.bent[-1], limit)
+            (curve, rest, terms), amplitude = found.taken(flow.bent[-1], limit)
             for k in range(1, 60, 4):
-                t = Ball.number(Fraction(k, 40)) if taken.rest == 0 else flow.reach * k / 30
-                true, near = dot(row, exponential(mode.generator(), t, z)), arb_poly(taken.row)(t)
+                t = Ball.number(Fraction(k, 40)) if rest == 0 else flow.reach * k / 30
+                true, near = dot(row, exponential(mode.generator(), t, z)), curve(t)
                 off = abs(true - near)
-                assert not off > taken.amplitude + taken.rest * t ** len(taken.row) + OFF
-                nearest = max(nearest, float((off / taken.amplitude).mid()))
+                assert not off > amplitude + rest * t**terms + OFF
+                nearest = max(nearest, float((off / amplitude).mid()))
     assert nearest > 0.6
 
 
@@ -177,38 +179,37 @@ def test_friction_that_comes_to_nothing_at_the_end_of_a_cell_is_refused():
         run(under(EVEN, 1, (0, 2), Weakening((), 0, [(0, 0), (1, "-0.5")])))
 
 
-def test_what_a_row_leaves_out_counts_from_where_it_was_expanded():
-    guards, row = [Guard(1, arb("-0.999"), 0, arb(0))], [arb(1)] + [arb(0)] * 13
-    assert scan([row], guards, [arb("0.002")], arb("0.5")) == CLEAR
-    assert scan([row], guards, [arb("0.002")], arb("0.5"), arb("0.5")) == UNKNOWN
+def curve(row, margin=0, rest=0, order=0):
+    return Curve(arb_poly([*map(arb, row)]), arb(rest), FEW, arb(margin), order)
 
 
-@pytest.mark.parametrize("sign", [1, -1])
+def test_what_a_polynomial_leaves_out_counts_from_where_it_was_expanded():
+    guards = [curve(["0.001"], rest="0.002")]
+    assert [look(guards, arb(since), arb("0.5")) for since in (0, "0.5")] == [CLEAR, UNKNOWN]
+
+
 @pytest.mark.parametrize("at_end", ["0.3", "-0.3"])
-def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_its_row_leaves_out(sign, at_end):
+def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_it_leaves_out(at_end):
     """It falls from 1 along a line; what is left at the end of a step exceeds both together where it is known."""
-    row, h = [sign * arb(1), sign * 2 * (arb(at_end) - 1)] + [arb(0)] * 6, arb("0.5")
-    known = ("0.16", "0.13", True), ("0.16", "0.15", False), ("0.1", "0.21", False)
-    for margin, rest, is_known in (*known, ("0.05", "0.17", at_end > "0")):  # the last one's slope may be off by 2.7
-        guards = [Guard(sign, arb(0), 0, arb(margin))]
-        found = scan([row], guards, [arb(rest) * 2**8], h)
-        assert found == ((CLEAR if at_end > "0" else 0) if is_known else UNKNOWN)
+    known = ("0.2", "0.09", True), ("0.2", "0.11", False), ("0.1", "0.21", False)
+    for margin, rest, is_known in (*known, ("0.05", "0.17", at_end > "0")):  # the last one's slope may be off by 4.8
+        guards = [curve([1, 2 * (arb(at_end) - 1)], margin, arb(rest) * 2**FEW)]
+        assert look(guards, arb(0), arb("0.5")) == ((CLEAR if at_end > "0" else 0) if is_known else UNKNOWN)
 
 
 @pytest.mark.parametrize(
-    ("row", "order", "margin", "rest", "found"),
+    ("guard", "found"),
     [
-        (("0.5", -1), 0, 0, 0, 0),
-        (("0.5", -1), 0, "0.6", 0, UNKNOWN),  # the true guard may be positive at the end
-        (("0.5", -1), 0, 0, "0.1", UNKNOWN),  # what is left out may turn it: by 14 times as much
-        (("0.1", -1, "0.525"), 0, 0, 0, UNKNOWN),  # it rises at the very end
-        ((0, 0, 1, "-0.4"), 2, 0, 0, UNKNOWN),
+        (curve(["0.5", -1]), 0),
+        (curve(["0.5", -1], "0.6"), UNKNOWN),  # the true guard may be positive at the end
+        (curve(["0.5", -1], 0, "0.1"), UNKNOWN),  # what is left out may turn it: by 14 times as much
+        (curve(["0.1", -1, "0.525"]), UNKNOWN),  # it rises at the very end
+        (curve([0, 0, 1, "-0.4"], order=2), UNKNOWN),
     ],
 )
-def test_a_guard_that_falls_once_is_told_from_one_that_may_not(row, order, margin, rest, found):
-    row, guard = [*map(arb, row), *[arb(0)] * (FEW - len(row))], Guard(1, arb(0), order, arb(margin))
-    assert scan([row], [guard], [arb(rest)], arb(1)) == found
-    assert scan([row], [guard, guard], [arb(rest)], arb(1)) == UNKNOWN
+def test_a_guard_that_falls_once_is_told_from_one_that_may_not(guard, found):
+    assert look([guard], arb(0), arb(1)) == found
+    assert look([guard, guard], arb(0), arb(1)) == UNKNOWN
 
 
 def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
@@ -216,4 +217,4 @@ def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
     zero, off = arb(0), arb("0.1")
     at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero, (0, 1))
     flow = path.flow(at)
-    assert all(one.margin > off * 8.999 for one in guards_of(path, at, path.motion(at).short(flow.reach)[0]))
+    assert all(one.margin > off * 8.999 for one in curves_of(path, at, path.motion(at).short(flow.reach)))
