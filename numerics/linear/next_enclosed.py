@@ -27,9 +27,9 @@ _LONG, _PATIENCE, _PACE, _MOST_STEPS = 4 * REACH, 5, 1_000, 200_000
 whether those up to the end of the piece are too many; how many are."""
 _RESOLVED = 16
 """A step must be longer than the last bits of time, so many."""
-_FINEST, _FINE = 1_100, arb((1, -40))
-"""Intervals that are shorter by so many bits than a step are not looked at; a step that is shorter than its reach by
-the second factor is none."""
+_FINEST = 1_100
+"""Intervals that are shorter by so many bits than a step are not looked at, and a step that is by half of them is none:
+a guard that comes as near to 0 as digits tell it from 0 does so for a time of half as many."""
 _COARSE = 192
 """With as many bits and more a root is refined to half of them first."""
 _TOO_FAST, _SCAN_BITS, _SHARP_BITS = arb((1, 1024)), 128, 2_400
@@ -126,9 +126,9 @@ def short_step(path: EnclosedPath, at: At, reach: arb) -> Clear:
             guards = motion.short(reach)
             later = curves_of(path, at._replace(orders=AWAY), guards)
             first = curves_of(path, at, guards) if begins else later
-            least = reach * arb((1, -min(bits, _FINEST)))
-            found = march(first, later, reach, reach / 4 if begins else reach, least)
-        if found is not None and (found.hit != CLEAR or found.since > reach * _FINE):
+            fine = min(bits, _FINEST)
+            found = march(first, later, reach, reach / 4 if begins else reach, reach * arb((1, -fine)))
+        if found is not None and (found.hit != CLEAR or found.since > reach * arb((1, -fine // 2))):
             return found
     raise path.undecided(at)
 
