@@ -11,6 +11,7 @@ from itertools import chain
 
 import numpy as np
 import pytest
+from batch_numbers import against_truth
 from hypothesis import example, given
 from hypothesis import strategies as st
 from kernel_runs import a_scene
@@ -35,7 +36,6 @@ from numerics import (
 )
 from numerics.linear.record import AT
 from numerics.solver import rows as batch
-from numerics.trajectory.comparison import distance
 from numerics.trajectory.run import MAX_EVENTS
 from numerics.trajectory.status import Status
 
@@ -89,21 +89,10 @@ def require_alone(found: Batch, k, scene, most=MAX_EVENTS, within=1e-13, bounds=
             assert (np.asarray(other) <= bounds * np.asarray(own)).all()
 
 
-def against_balls(found: Batch, scene):
-    """Each number of a batch of one scene, with its first events, how far it is off, and its bound."""
-    truth = solve(scene, digits=40, arithmetic="ball")
-    assert (found.events[0], found.status[0]) == (len(truth.events), truth.status)
-    kept = found.event_t.shape[-1]
-    with truth.arithmetic.context():
-        numbers = [
-            (found.y, truth.final_state, found.y_error),
-            (found.event_t[0], truth.event_times[:kept], found.event_t_error[0]),
-            (found.dissipated, [truth.ledger.friction + truth.ledger.viscous], found.dissipated_error),
-            (found.event_y[:, 0], truth.event_states[:, :kept], found.event_y_error[:, 0]),
-        ]
-        for three in numbers:
-            for x, y, bound in zip(*map(np.ravel, three), strict=True):
-                yield float(x), distance(float(x), y), float(bound)
+def require_in_bounds(found: Batch, scene):
+    """Each number of a batch of one scene is off by at most its bound."""
+    for x, off, bound in against_truth(found, 0, solve(scene, digits=40, arithmetic="ball")):
+        assert off <= bound <= 1e-8 * max(1, abs(x))
 
 
 SPRING_ON_BELT = Pair(m1=2, m2="inf", a2=50, b=4)
@@ -120,8 +109,7 @@ def test_a_list_of_scenes_goes_on_in_balls_where_floats_leave_one_open(scene):
         solve(scene, arithmetic="float64")
     found = solve_scenes([scene], keep_events=2)
     assert found.success.all()
-    for _, off, bound in against_balls(found, scene):
-        assert off <= bound
+    require_in_bounds(found, scene)
 
 
 def test_what_arrays_leave_open_is_said_in_a_sentence():
@@ -140,18 +128,26 @@ def test_a_stick_that_starts_exactly_on_its_edge_is_for_ever_in_a_batch_too():
     assert solve_scenes([scene]).status.tolist() == [Status.STUCK_FOR_EVER]
 
 
-def test_a_batch_of_one_and_of_none_have_tables():
-    assert len(solve_many(**PAPER, until=1).to_dataframe()) == 1
-    assert len(solve_many(1, 1, 200, [], until=1).to_dataframe()) == len(solve_scenes([]).to_dataframe()) == 0
-    assert dict(solve_many(**PAPER, until=1).to_xarray().sizes) == {}
+GRID = {"v1": [0.1, 0.2], "b": [[0.05], [0.1], [0.2]]}
+SHAPES = {
+    "one": ({"v1": 0.1, "keep_events": 2}, ()),
+    "none": ({"v1": []}, (0,)),
+    "a grid": ({"v1": np.array([0.1, 0.15])[:, None], "x1": np.zeros((1, 3)), "keep_events": 4}, (2, 3)),
+    "exact numbers": (GRID | {"exact": True}, (3, 2)),
+    "a force": (GRID | {"force": Force.sine(1, 2)}, (3, 2)),
+    "no scenes": ({"scenes": []}, (0,)),
+    "scenes": ({"scenes": [load_scene("velocities")], "keep_events": 6, "max_events": 6}, (1,)),
+}
 
 
-def test_objects_and_exact_numbers_in_a_grid_have_its_shape():
-    """Energies and inputs of scenes that are solved one by one."""
-    for more in ({"exact": True}, {"force": Force.sine(1, 2)}):
-        found = solve_many(1, 1, 200, [[0.05], [0.1], [0.2]], v1=[0.1, 0.2], until=1, **more)
-        assert {one.shape for one in found.inputs.values()} == {found.energy_excess.shape} == {(3, 2)}
-        assert len(found.to_dataframe()) == 6
+@pytest.mark.parametrize("name", SHAPES)
+def test_all_arrays_and_tables_have_the_shape_of_what_is_given(name):
+    given, shape = SHAPES[name]
+    found = solve_scenes(**given) if "scenes" in given else solve_many(**PAPER | {"until": 1} | given)
+    assert {one.shape for one in (found.t, found.energy_excess, *found.inputs.values())} == {shape}
+    assert (found.y.shape, found.event_y.shape) == ((4, *shape), (4, *shape, given.get("keep_events", 0)))
+    assert len(found.to_dataframe()) == len(found) == np.prod(shape)
+    assert len(found.to_xarray().sizes) == len(shape)
 
 
 PARTS = {Pair: ("m1", "m2", "a2", "b", "a1"), State: ("x1", "v1", "x2", "v2")}
@@ -197,8 +193,7 @@ def test_rows_are_what_their_scenes_are_by_themselves(name):
     for k, scene in enumerate(scenes):
         require_alone(found, k, scene, within=1e-9, bounds=None if "friction" in given else 3)
     if given.get("keep_events") == 3:
-        for _, off, bound in against_balls(found, scenes[0]):
-            assert off <= bound
+        require_in_bounds(found, scenes[0])
 
 
 def test_no_stick_is_for_ever_where_friction_changes_at_the_horizon_or_after_it():
@@ -249,9 +244,7 @@ def test_scenes_of_any_pieces_are_what_they_are_by_themselves():
 def test_the_bounds_of_a_batch_hold_where_friction_depends_on_the_state():
     friction = Friction([("0.3", "0.7")], Weakening([("0.1", "0.4")], 0))
     scene = Scene(Pair(1, 1, 200, "0.5", 1), State(v1="0.3"), 2, force=Force.sine("0.4", 5), friction=friction)
-    found = solve_scenes([scene], keep_events=3)
-    for x, off, bound in against_balls(found, scene):
-        assert off <= bound <= 1e-11 * max(1, abs(x))
+    require_in_bounds(solve_scenes([scene], keep_events=3), scene)
 
 
 @pytest.mark.parametrize("piece", [("1e-400", "0.02"), (1, "1e-400"), (1, "1e400")])
@@ -275,16 +268,6 @@ def test_columns_under_a_force_form_the_ledger_when_it_is_looked_at(monkeypatch)
     np.testing.assert_allclose(np.log(found.dissipated_error), np.log(exact.dissipated_error), atol=np.log(3))
     assert (found.dissipated[found.success] > 0).all()
     assert same(found, copy)
-
-
-def test_shapes_broadcast():
-    found = solve_many(**PAPER, v1=np.array([0.1, 0.15])[:, None], x1=np.zeros((1, 3)), until=2, keep_events=4)
-    assert found.t.shape == (2, 3)
-    assert found.y.shape == (4, 2, 3)
-    assert found.event_y.shape == (4, 2, 3, 4)
-    assert solve_many(**PAPER, v1=0.1, until=2).t.shape == ()
-    assert solve_many(**PAPER, v1=[], until=2).t.shape == (0,)
-    assert solve_scenes([load_scene("velocities")], keep_events=6, max_events=6).events == 6
 
 
 def test_many_chunks_threads_and_progress(monkeypatch):
