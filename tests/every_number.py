@@ -50,10 +50,10 @@ NUMBERS = _names(
     final_state initial ledger reduced segments sol t t_events units y y_events"""
 )
 NO_NUMBERS_OF_A_BATCH = _names(
-    """ANSWERS certain digits ends event_mode inputs kept message mode numbers plot results shape status success
-    to_dataframe to_xarray values"""
+    """ANSWERS certain digits event_mode inputs message mode plot results shape status success to_dataframe to_xarray
+    values"""
 )
-NUMBERS_OF_A_BATCH = {"t", "y", "energy_excess", "dissipated", "event_t", "event_y", "events"}
+NUMBERS_OF_A_BATCH = {"t", "y", "energy", "energy_excess", "dissipated", "event_t", "event_y", "events"}
 
 
 class Compared(NamedTuple):
@@ -77,7 +77,7 @@ def unlisted() -> set[str]:
     """The public attributes of a run and of a batch that stand in no list."""
     of_a_run = {name for name in dir(Trajectory) if name[0] != "_"} | {"arithmetic", "record", "bounded", "scene"}
     of_a_batch = {name for name in dir(Batch) if name[0] != "_" and not name.endswith("_error")}
-    of_a_batch |= {"numbers", "ends", "kept", "shape"}
+    of_a_batch |= {name for name in Batch.__annotations__ if not name.endswith("_error")} | {"shape"}
     return of_a_run ^ (NO_NUMBERS | ROWS | NUMBERS) | of_a_batch ^ (NO_NUMBERS_OF_A_BATCH | NUMBERS_OF_A_BATCH)
 
 

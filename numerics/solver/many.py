@@ -10,8 +10,8 @@ import math
 import reprlib
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from functools import cache, partial
-from typing import TYPE_CHECKING, Any, NamedTuple, TypedDict, Unpack, overload
+from functools import cache, lru_cache, partial
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,12 +27,10 @@ from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import Batch
 from numerics.solver.inputs import SI, inputs_of, near
+from numerics.solver.line_batch import Rows
 from numerics.solver.rows import form_ledgers, in_chunks, solve_one
 from numerics.trajectory.columns import STATE, Floats, room
 from numerics.trajectory.run import MAX_EVENTS
-
-if TYPE_CHECKING:
-    from numerics.solver.plane_batch import PlaneBatch
 
 _POSITIVE, _FLOATS = ("m1", "m2", "a2", "b", "until"), np.finfo(np.float64)
 Progress = Callable[[int, int], None]
@@ -135,23 +133,9 @@ def solve_many(
         follow_many(flat[part], *how, False, kept, ends)
 
     kept, ends = _solved(scene_of, len(flat), limits, run)
+    form = partial(form_ledgers, scene_of, flat, how, jobs)
     numbers = np.ascontiguousarray(flat[:, : len(SI)])
-    return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, flat, how, jobs), more=arrays.copy)
-
-
-class _Options(TypedDict, total=False):
-    max_events: int
-    keep_events: int
-    jobs: int | None
-    progress: Progress | None
-
-
-@overload
-def solve_scenes(scenes: Sequence[PlaneScene], **options: Unpack[_Options]) -> PlaneBatch: ...
-
-
-@overload
-def solve_scenes(scenes: Sequence[Scene], **options: Unpack[_Options]) -> Batch: ...
+    return Batch(shape, Rows(numbers, ends, kept, shape, form, arrays.copy, np.False_))
 
 
 def solve_scenes(
@@ -161,11 +145,11 @@ def solve_scenes(
     keep_events: int = 0,
     jobs: int | None = None,
     progress: Progress | None = None,
-) -> Batch | PlaneBatch:
+) -> Batch:
     """Solve each scene in float64, where that is in doubt in balls as `solve` does; arrays of shape (len(scenes),).
 
     Scenes on a surface must have the same number of axes; they run in balls, in `jobs` processes, which need joblib
-    (default: all cores if it is installed), and give a PlaneBatch. Scenes on a line run in one thread; `solve_many` is
+    (default: all cores if it is installed). Scenes on a line run in one thread; `solve_many` is
     faster.
 
     Raises TypeError for anything but a list of scenes of one kind, ValueError for bad arguments, MissingTool.
@@ -180,11 +164,16 @@ def solve_scenes(
 
         with meter("solving", limits.progress) as line:
             return solve_surfaces(given, *limits._replace(progress=line))
-    numbers = np.array([_numbers_in(scene) for scene in given]).reshape(-1, len(SI))
-    kept, ends = _solved(given.__getitem__, len(given), limits._replace(jobs=1))
-    ledgers = partial(form_ledgers, given.__getitem__, None, (0, False, max_events), 1)
-    walls = [bool(one.wall.pieces) for one in given]
-    return Batch(numbers, ends, kept, (len(given),), ledgers, walls, partial(inputs_of, given))
+    return _one_by_one(given, limits, (len(given),))
+
+
+def _one_by_one(scenes: Sequence[Scene], limits: _BatchLimits, shape: tuple[int, ...]) -> Batch:
+    """Return the answers of scenes that are solved one after the other, in a shape."""
+    numbers = np.array([_numbers_in(scene) for scene in scenes]).reshape(-1, len(SI))
+    kept, ends = _solved(scenes.__getitem__, len(scenes), limits._replace(jobs=1))
+    form = partial(form_ledgers, scenes.__getitem__, None, (0, False, limits.max_events), 1)
+    walls = np.array([bool(one.wall.pieces) for one in scenes], dtype=bool).reshape(shape)
+    return Batch(shape, Rows(numbers, ends, kept, shape, form, partial(inputs_of, scenes, shape), walls))
 
 
 def _of_one_kind(given: Any) -> Any:
@@ -204,31 +193,29 @@ def _numbers_in(scene: Scene) -> Any:
     return [near(own[name] if name in own else getattr(scene.pair, name)) for name in SI]
 
 
+_pair = lru_cache(maxsize=1000)(Pair)
+"""Which most scenes of a batch share."""
+
+
 def _scene(
     numbers: Sequence[Any],
     terms: int,
     law: Law,
-    pairs: dict[tuple[int, ...], Pair],
     force: Any = NO_FORCE,
     friction: Any = SAME_FRICTION,
 ) -> Scene:
-    """Return the scene of its SI numbers, the coefficients of a polynomial, the numbers of sines, and what acts too.
-
-    `pairs` keeps the pair of the very same numbers (the caller keeps these), which most scenes of a batch share.
-    """
+    """Return the scene of its SI numbers, the coefficients of a polynomial, the numbers of sines, and what acts too."""
     m1, m2, a2, b, x1, v1, x2, v2, until, a1, *rest = numbers
-    same = id(m1), id(m2), id(a2), id(b), id(a1)
-    pair = pairs[same] if same in pairs else pairs.setdefault(same, Pair(m1, m2, a2, b, a1))
     waves = [Sine(*rest[k : k + 3]) for k in range(terms, len(rest), 3)]
     if any(rest[:terms]) or any(s.amplitude for s in waves):
         own = Force((Piece(0, rest[:terms], waves),))
         force = own if force is NO_FORCE else own + force
-    return Scene(pair, State(x1, v1, x2, v2), until, law, force, friction)
+    return Scene(_pair(m1, m2, a2, b, a1), State(x1, v1, x2, v2), until, law, force, friction)
 
 
 def _scene_of_row(flat: Floats, terms: int, law: Law, row: int) -> Scene:
     """Return the scene of a row of binary numbers."""
-    return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, {})
+    return _scene([Fraction(one) for one in flat[row].tolist()], terms, law)
 
 
 def _all_of(name: str, kind: type, given: Any, none: Any) -> Any:
@@ -242,16 +229,11 @@ def _all_of(name: str, kind: type, given: Any, none: Any) -> Any:
 
 def _solve_objects(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, law: Law, limits: _BatchLimits) -> Batch:
     """Solve arrays of exact numbers, or of binary ones with forces of any kind, scene by scene."""
-    exactly, pairs = np.vectorize(Fraction, otypes=[object]), dict[tuple[int, ...], Pair]()
+    exactly = np.vectorize(Fraction, otypes=[object])
     each = (one if one.dtype == object else exactly(one) for one in arrays.values())
     rows = zip(*(np.broadcast_to(one, shape).ravel() for one in each), strict=True)
-    scenes = [_scene(row[:-2], terms, law, pairs, *row[-2:]) for row in rows]
-    found = solve_scenes(scenes, **limits._asdict())
-
-    def more() -> dict[str, Floats]:
-        return {name: one.reshape(shape) for name, one in inputs_of(scenes).items()}
-
-    return Batch(found.numbers, found.ends, found.kept, shape, found.form_ledgers, more=more)
+    scenes = [_scene(row[:-2], terms, law, *row[-2:]) for row in rows]
+    return _one_by_one(scenes, limits, shape)
 
 
 def _solved(
