@@ -18,7 +18,6 @@ from numerics.trajectory.digits import ROUNDING
 from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.status import Status
 
-
 _SENTENCES = np.array([one.sentence for one in sorted(Status)], dtype=object)
 
 
