@@ -1,30 +1,35 @@
-"""Numbers of a batch, on a line and on a surface, each beside the true one and its bound."""
+"""Every number of a row of a batch, on a line or on a surface, with its bound and the true one."""
 
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
-from numerics.trajectory.comparison import distance
+from numerics.trajectory.status import Status
 
 
-def against_truth(found: Any, k: int, truth: Any) -> Iterator[tuple[float, Any, float]]:
-    """Yield each number of a row, how far it is off a run in balls, and its bound; first the counts must agree."""
-    assert (found.events[k], found.status[k]) == (len(truth.events), truth.status)
-    kept = min(found.event_t.shape[-1], len(truth.events))
-    assert np.isnan(found.event_t[k, kept:]).all()
-    assert np.isnan(found.event_y[:, k, kept:]).all()
-    states = np.reshape(truth.y, (4, -1, len(truth.events) + 2)).swapaxes(1, 2)
-    answers = ("energy",) if hasattr(found, "energy") else ("energy_excess", "dissipated")
-    with truth.context():
-        numbers = [
-            (found.y[:, k], states[:, -1], found.y_error[:, k]),
-            (found.event_y[:, k, :kept], states[:, 1 : kept + 1], found.event_y_error[:, k, :kept]),
-            (found.event_t[k, :kept], truth.event_times[:kept], found.event_t_error[k, :kept]),
-            *((getattr(found, name)[k], getattr(truth, name), getattr(found, f"{name}_error")[k]) for name in answers),
-        ]
-        for near, true, bound in numbers:
-            last = np.ravel(true)[-np.size(near) :] if np.size(near) else ()
-            for x, y, most in zip(np.ravel(near), last, np.ravel(bound), strict=True):
-                if not np.isnan(x):
-                    yield float(x), distance(float(x), y).upper(), float(most)
+def row_numbers(batch: Any, row: int, truth: Any) -> Iterator[tuple[str, Any, float, Any]]:
+    """Yield name, number, bound and the number of a run in balls; the events must be as many, in the same modes."""
+    assert (batch.events[row], Status(batch.status[row]).success) == (len(truth.events), truth.success)
+    kept = min(batch.event_t.shape[-1], len(truth.events))
+    assert np.isnan(batch.event_t[row, kept:]).all()
+    assert np.isnan(batch.event_y[:, row, kept:]).all()
+    modes = [getattr(one.after, "sign", one.after) for one in truth.events]
+    assert batch.event_mode[row].tolist()[:kept] == modes[:kept]
+    states, times = np.reshape(truth.y, (4, -1, len(truth.t))).swapaxes(1, 2), truth.event_times[:kept]
+    late = batch.event_t_error[row, :kept]
+    found = [
+        ("t", batch.t[row], 2.0**-52 * batch.t[row] + late.max(initial=0.0), truth.end_time),
+        ("y", batch.y[:, row], batch.y_error[:, row], states[:, -1]),
+        ("event_t", batch.event_t[row, :kept], late, times),
+        ("event_y", batch.event_y[:, row, :kept], batch.event_y_error[:, row, :kept], states[:, 1 : kept + 1]),
+    ]
+    for name in ("energy",) if "energy" in batch.ANSWERS else ("energy_excess", "dissipated"):
+        found.append((name, getattr(batch, name)[row], getattr(batch, f"{name}_error")[row], end_of(truth, name)))
+    for name, *three in found:
+        yield from ((name, *one) for one in zip(*map(np.ravel, three), strict=True) if not np.isnan(one[0]))
+
+
+def end_of(truth: Any, name: str) -> Any:
+    """Return an energy at the end of a run."""
+    return truth.dissipated if name == "dissipated" else getattr(truth, name)[-1]

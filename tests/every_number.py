@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
+from batch_numbers import row_numbers
 from flint import arb
 from reaching import LeftOut
 
@@ -344,23 +345,4 @@ def batch_held(batch: Batch, row: int, truth: Any) -> list[Compared]:
     """Every number of a row of a batch."""
     if not batch.certain[row]:
         return []
-    count = int(batch.events[row])
-    times, states = truth.event_times, truth.event_states
-    assert count == len(times)
-    assert batch.event_mode[row, :count].tolist() == truth.signs[1 : count + 1]
-    named = [
-        (
-            "t",
-            batch.t[row],
-            2.0**-52 * batch.t[row] + batch.event_t_error[row, :count].max(initial=0.0),
-            truth.end_time,
-        ),
-        ("dissipated", batch.dissipated[row], batch.dissipated_error[row], truth.dissipated),
-        ("energy_excess", batch.energy_excess[row], batch.energy_excess_error[row], truth.reduced.final.w),
-    ]
-    named += [("y", *one) for one in zip(batch.y[:, row], batch.y_error[:, row], truth.final_state, strict=True)]
-    found = batch.event_t[row, :count], batch.event_t_error[row, :count], times
-    named += [("event_t", *one) for one in zip(*found, strict=True)]
-    each = batch.event_y[:, row, :count], batch.event_y_error[:, row, :count], states
-    named += [("event_y", *one) for one in zip(*(one.ravel() for one in each), strict=True)]
-    return [Compared(f"{name} of a batch", *rest) for name, *rest in named]
+    return [Compared(f"{name} of a batch", *rest) for name, *rest in row_numbers(batch, row, truth)]

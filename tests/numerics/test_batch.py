@@ -11,7 +11,7 @@ from itertools import chain
 
 import numpy as np
 import pytest
-from batch_numbers import against_truth
+from batch_numbers import row_numbers
 from hypothesis import example, given
 from hypothesis import strategies as st
 from kernel_runs import a_scene
@@ -36,6 +36,7 @@ from numerics import (
 )
 from numerics.linear.record import AT
 from numerics.solver import rows as batch
+from numerics.trajectory.comparison import distance
 from numerics.trajectory.run import MAX_EVENTS
 from numerics.trajectory.status import Status
 
@@ -91,8 +92,8 @@ def require_alone(found: Batch, k, scene, most=MAX_EVENTS, within=1e-13, bounds=
 
 def require_in_bounds(found: Batch, scene):
     """Each number of a batch of one scene is off by at most its bound."""
-    for x, off, bound in against_truth(found, 0, solve(scene, digits=40, arithmetic="ball")):
-        assert off <= bound <= 1e-8 * max(1, abs(x))
+    for _, x, bound, true in row_numbers(found, 0, solve(scene, digits=40, arithmetic="ball")):
+        assert distance(x, true) <= bound <= 1e-8 * max(1, abs(x))
 
 
 SPRING_ON_BELT = Pair(m1=2, m2="inf", a2=50, b=4)

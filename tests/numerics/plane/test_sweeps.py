@@ -7,12 +7,13 @@ from importlib.util import find_spec
 
 import numpy as np
 import pytest
-from batch_numbers import against_truth
+from batch_numbers import row_numbers
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import fewer, plane_scenes
 
 from numerics import Force, NumericsError, PlanePair, PlaneScene, solve, solve_scenes
+from numerics.trajectory.comparison import distance
 from numerics.trajectory.status import Status
 
 PAIR = PlanePair(1, 1, [200, 120], ["0.5", "0.4"], 1)
@@ -36,15 +37,11 @@ def test_each_row_is_what_solve_says_of_its_scene(drawn):
             assert np.isnan(found.y[:, row]).all()
             continue
         one = solve(scene)
-        after = [event.after for event in one.events[:keep]]
-        assert (found.mode[row], found.digits[row], found.t[row]) == (
-            one.final_mode,
-            one.digits,
-            float(one.end_time.mid()),
-        )
-        assert found.event_mode[row].tolist() == after + [""] * (keep - len(after))
-        for x, off, bound in against_truth(found, row, one):
-            assert off <= bound < 1e-12 * max(1, abs(x))
+        assert (found.status[row], found.mode[row], found.digits[row]) == (one.status, one.final_mode, one.digits)
+        assert found.event_mode[row].tolist()[len(one.events) :] == [""] * (keep - len(one.events))
+        with one.context():
+            for _, x, bound, true in row_numbers(found, row, one):
+                assert distance(x, true).upper() <= bound < 1e-12 * max(1, abs(x))
 
 
 def test_what_is_not_decided_or_beyond_floats_is_a_status_of_its_row():
