@@ -86,9 +86,6 @@ def solve_surfaces(
     room(f"{len(scenes)} scenes with keep_events = {keep_events}", 2, 13, len(scenes), keep_events)
     if jobs is None:
         jobs = available_cores() if len(scenes) > _FEW and find_spec("joblib") else 1
-    rows: dict[int, dict[str, Any]] = {}
-    for row, found in run_tasks(partial(_solved, keep_events, max_events), [*enumerate(scenes)], jobs=jobs):
-        rows[row] = found
-        if progress is not None:
-            progress(len(rows), len(scenes))
+    solved = partial(_solved, keep_events, max_events)
+    rows = dict(run_tasks(solved, [*enumerate(scenes)], jobs=jobs, progress=progress))
     return Batch((len(scenes),), Surfaces(scenes, [rows[row] for row in range(len(scenes))]))
