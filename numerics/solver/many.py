@@ -8,18 +8,15 @@ from __future__ import annotations
 
 import math
 import reprlib
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cache, lru_cache, partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
-from numerics.linear.batch import follow_many
-from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN
 from numerics.meter import meter
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole, shown
@@ -28,31 +25,24 @@ from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import Batch
 from numerics.solver.inputs import SI, inputs_of, near
 from numerics.solver.line_batch import Rows
-from numerics.solver.rows import form_ledgers, in_chunks, solve_one
+from numerics.solver.rows import Limits, Progress, Work
 from numerics.trajectory.columns import STATE, Floats, room
 from numerics.trajectory.run import MAX_EVENTS
 
 _POSITIVE, _FLOATS = ("m1", "m2", "a2", "b", "until"), np.finfo(np.float64)
-Progress = Callable[[int, int], None]
 
 
-class _BatchLimits(NamedTuple):
-    max_events: int
-    keep_events: int
-    jobs: int | None
-    progress: Progress | None
-
-    def checked(self) -> _BatchLimits:
-        """Raise ValueError for what is no limit."""
-        require_whole("max_events", self.max_events, 1)
-        require_whole("keep_events", self.keep_events, 0)
-        if self.keep_events > self.max_events:
-            most = f"max_events = {self.max_events}"
-            raise ValueError(f"keep_events = {self.keep_events} must be at most {most}; give fewer, or raise it")
-        require_whole("jobs", 1 if self.jobs is None else self.jobs, 1)
-        if self.progress is not None:
-            require_function("progress", self.progress, "(done, all)")
-        return self
+def _limits(max_events: int, keep_events: int, jobs: int | None, progress: Progress | None) -> Limits:
+    """Return the limits of a batch. Raises ValueError for what is none."""
+    require_whole("max_events", max_events, 1)
+    require_whole("keep_events", keep_events, 0)
+    if keep_events > max_events:
+        most = f"max_events = {max_events}"
+        raise ValueError(f"keep_events = {keep_events} must be at most {most}; give fewer, or raise it")
+    require_whole("jobs", 1 if jobs is None else jobs, 1)
+    if progress is not None:
+        require_function("progress", progress, "(done, all)")
+    return Limits(max_events, keep_events, jobs)
 
 
 def solve_many(
@@ -113,7 +103,7 @@ def solve_many(
             raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     if not isinstance(exact, bool | np.bool_):
         raise ValueError(f"exact = {shown(exact)} must be True or False; leave it out for binary numbers")
-    law, limits, terms = read_law(law), _BatchLimits(max_events, keep_events, jobs, progress).checked(), len(polynomial)
+    law, limits, terms = read_law(law), _limits(max_events, keep_events, jobs, progress), len(polynomial)
     in_columns = not exact and force is None and friction is None
     with np.errstate(over="ignore"):  # of long floats; refused as inf
         arrays = {name: np.asarray(one, object) if exact else _numbers(name, one) for name, one in named.items()}
@@ -126,16 +116,11 @@ def solve_many(
     if not exact:
         _fill(flat.reshape(*shape, len(arrays)), arrays)
     if not in_columns:
-        return _solve_objects(arrays | objects, shape, terms, law, limits)
-    how, scene_of = (terms, law is Law.THREE_VALUED_SGN, max_events), partial(_scene_of_row, flat, terms, law)
-
-    def run(part: slice, kept: Floats, ends: Floats) -> None:
-        follow_many(flat[part], *how, False, kept, ends)
-
-    kept, ends = _solved(scene_of, len(flat), limits, run)
-    form = partial(form_ledgers, scene_of, flat, how, jobs)
+        return _one_by_one(_scenes(arrays | objects, shape, terms, law), limits, progress, shape)
+    work = Work(partial(_scene_of_row, flat, terms, law), limits, flat, terms, law is Law.THREE_VALUED_SGN)
+    kept, ends = work.solved(len(flat), progress)
     numbers = np.ascontiguousarray(flat[:, : len(SI)])
-    return Batch(shape, Rows(numbers, ends, kept, shape, form, arrays.copy, np.False_))
+    return Batch(shape, Rows(numbers, ends, kept, shape, work.form_ledgers, arrays.copy, np.False_))
 
 
 def solve_scenes(
@@ -158,22 +143,22 @@ def solve_scenes(
     >>> solve_scenes([load_scene("velocities"), load_scene("at-rest")], jobs=1).events.tolist()
     [24, 0]
     """
-    given, limits = _of_one_kind(scenes), _BatchLimits(max_events, keep_events, jobs, progress).checked()
+    given, limits = _of_one_kind(scenes), _limits(max_events, keep_events, jobs, progress)
     if given and isinstance(given[0], PlaneScene):
         from numerics.solver.plane_batch import solve_surfaces
 
-        with meter("solving", limits.progress) as line:
-            return solve_surfaces(given, *limits._replace(progress=line))
-    return _one_by_one(given, limits, (len(given),))
+        with meter("solving", progress) as line:
+            return solve_surfaces(given, *limits, line)
+    return _one_by_one(given, limits, progress, (len(given),))
 
 
-def _one_by_one(scenes: Sequence[Scene], limits: _BatchLimits, shape: tuple[int, ...]) -> Batch:
+def _one_by_one(scenes: Sequence[Scene], limits: Limits, progress: Progress | None, shape: tuple[int, ...]) -> Batch:
     """Return the answers of scenes that are solved one after the other, in a shape."""
     numbers = np.array([_numbers_in(scene) for scene in scenes]).reshape(-1, len(SI))
-    kept, ends = _solved(scenes.__getitem__, len(scenes), limits._replace(jobs=1))
-    form = partial(form_ledgers, scenes.__getitem__, None, (0, False, limits.max_events), 1)
+    work = Work(scenes.__getitem__, limits._replace(jobs=1))
+    kept, ends = work.solved(len(scenes), progress)
     walls = np.array([bool(one.wall.pieces) for one in scenes], dtype=bool).reshape(shape)
-    return Batch(shape, Rows(numbers, ends, kept, shape, form, partial(inputs_of, scenes, shape), walls))
+    return Batch(shape, Rows(numbers, ends, kept, shape, work.form_ledgers, partial(inputs_of, scenes, shape), walls))
 
 
 def _of_one_kind(given: Any) -> Any:
@@ -227,44 +212,12 @@ def _all_of(name: str, kind: type, given: Any, none: Any) -> Any:
     return array
 
 
-def _solve_objects(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, law: Law, limits: _BatchLimits) -> Batch:
-    """Solve arrays of exact numbers, or of binary ones with forces of any kind, scene by scene."""
+def _scenes(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, law: Law) -> list[Scene]:
+    """Return the scenes of arrays of exact numbers, or of binary ones with forces of any kind."""
     exactly = np.vectorize(Fraction, otypes=[object])
     each = (one if one.dtype == object else exactly(one) for one in arrays.values())
     rows = zip(*(np.broadcast_to(one, shape).ravel() for one in each), strict=True)
-    scenes = [_scene(row[:-2], terms, law, *row[-2:]) for row in rows]
-    return _one_by_one(scenes, limits, shape)
-
-
-def _solved(
-    scene_of: Callable[[int], Scene],
-    count: int,
-    limits: _BatchLimits,
-    run: Callable[[slice, Floats, Floats], None] | None = None,
-) -> tuple[Floats, Floats]:
-    """Solve rows in chunks, by compiled code if there is some, and those that it leaves one by one.
-
-    Return the rows of first events and those of ends.
-    """
-    what = f"{count} scenes with keep_events = {limits.keep_events}"
-    kept, ends, done = room(what, count, limits.keep_events + 1, ROW), room(what, count, END_ROW), 0
-    kept[:], ends[:] = np.nan, 0.0
-
-    def solve(part: slice) -> int:
-        hows = ends[part, AT["how"]]
-        hows[:] = UNKNOWN
-        if run is not None and can_compile():
-            run(part, kept[part], ends[part])
-        for row in part.start + np.flatnonzero(hows == UNKNOWN):
-            solve_one(scene_of(int(row)), limits.max_events, kept[row], ends[row], run is None)
-        return len(hows)
-
-    with meter("solving", limits.progress) as progress:
-        for some in in_chunks(solve, count, limits.jobs):
-            done += some
-            if progress is not None:
-                progress(done, count)
-    return kept, ends
+    return [_scene(row[:-2], terms, law, *row[-2:]) for row in rows]
 
 
 def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:
