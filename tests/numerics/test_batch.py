@@ -85,7 +85,9 @@ def require_alone(found: Batch, k, scene, most=MAX_EVENTS, within=1e-13, bounds=
 
 def require_in_bounds(found: Batch, scene):
     """Each number of a batch of one scene is off by at most its bound."""
-    for _, x, bound, true in row_numbers(found, 0, solve(scene, digits=40, arithmetic="ball")):
+    truth = solve(scene, digits=40, arithmetic="ball")
+    assert found.status[0] == truth.status
+    for _, x, bound, true in row_numbers(found, 0, truth):
         assert distance(x, true) <= bound <= 1e-8 * max(1, abs(x))
 
 
