@@ -23,7 +23,7 @@ Solving:
 Results:
     Trajectory          events, state at any time, energy, error bounds; plot, animate, save, load
     PlaneTrajectory     the same for a scene on a surface
-    Batch, PlaneBatch   final states of many runs as arrays, on a line and on a surface
+    Batch               final states of many runs as arrays, on a line or on a surface
     Bifurcation         states once a period, of many scenes
     Mode                slip+, slip- or stick
     sensitivities       derivatives of a trajectory by every number of its scene
@@ -95,7 +95,6 @@ if TYPE_CHECKING:
     from numerics.solver.check import check as check
     from numerics.solver.many import solve_many as solve_many
     from numerics.solver.many import solve_scenes as solve_scenes
-    from numerics.solver.plane_batch import PlaneBatch as PlaneBatch
     from numerics.solver.solve import solve as solve
     from numerics.trajectory.sensitivity import sensitivities as sensitivities
     from numerics.trajectory.trajectory import Trajectory as Trajectory
@@ -109,7 +108,6 @@ _NAMES = {
     "solver.many": "solve_many solve_scenes",
     "solver.batch": "Batch",
     "solver.bifurcation": "Bifurcation bifurcation",
-    "solver.plane_batch": "PlaneBatch",
     "trajectory.trajectory": "Trajectory",
     "plane.trajectory": "PlaneTrajectory",
     "trajectory.sensitivity": "sensitivities",

@@ -19,17 +19,23 @@ Task = TypeVar("Task", bound=tuple[Any, ...])
 Result = TypeVar("Result", bound=tuple[Any, ...])
 
 
-def run_tasks(function: Callable[[Task], Result], tasks: Sequence[Task], *, jobs: int = 1) -> Iterator[Result]:
+def run_tasks(
+    function: Callable[[Task], Result],
+    tasks: Sequence[Task],
+    *,
+    jobs: int = 1,
+    progress: Callable[[int, int], None] | None = None,
+) -> Iterator[Result]:
     """Yield function(task) for every task, in any order; the same function in `jobs` processes as in one.
 
-    A task begins with its number, and so does what comes of it.
+    A task begins with its number, and so does what comes of it. `progress` takes how many are done, and of how many.
     A worker that is killed loses nothing: what it held is done by another one. Raises MissingTool if joblib (jobs > 1)
     is not installed.
     """
-    if jobs > 1:
-        yield from _in_processes(function, tasks, jobs)
-    else:
-        yield from map(function, tasks)
+    for done, result in enumerate(_in_processes(function, tasks, jobs) if jobs > 1 else map(function, tasks), start=1):
+        yield result
+        if progress is not None:
+            progress(done, len(tasks))
 
 
 def _in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:

@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
+from batch_numbers import row_numbers
 from flint import arb
 from reaching import LeftOut
 
@@ -50,10 +51,10 @@ NUMBERS = _names(
     final_state initial ledger reduced segments sol t t_events units y y_events"""
 )
 NO_NUMBERS_OF_A_BATCH = _names(
-    """ANSWERS certain digits ends event_mode inputs kept message mode numbers plot results shape status success
-    to_dataframe to_xarray values"""
+    """ANSWERS certain digits event_mode inputs message mode plot results shape status success to_dataframe to_xarray
+    values"""
 )
-NUMBERS_OF_A_BATCH = {"t", "y", "energy_excess", "dissipated", "event_t", "event_y", "events"}
+NUMBERS_OF_A_BATCH = {"t", "y", "energy", "energy_excess", "dissipated", "event_t", "event_y", "events"}
 
 
 class Compared(NamedTuple):
@@ -77,7 +78,7 @@ def unlisted() -> set[str]:
     """The public attributes of a run and of a batch that stand in no list."""
     of_a_run = {name for name in dir(Trajectory) if name[0] != "_"} | {"arithmetic", "record", "bounded", "scene"}
     of_a_batch = {name for name in dir(Batch) if name[0] != "_" and not name.endswith("_error")}
-    of_a_batch |= {"numbers", "ends", "kept", "shape"}
+    of_a_batch |= {name for name in Batch.__annotations__ if not name.endswith("_error")} | {"shape"}
     return of_a_run ^ (NO_NUMBERS | ROWS | NUMBERS) | of_a_batch ^ (NO_NUMBERS_OF_A_BATCH | NUMBERS_OF_A_BATCH)
 
 
@@ -344,23 +345,4 @@ def batch_held(batch: Batch, row: int, truth: Any) -> list[Compared]:
     """Every number of a row of a batch."""
     if not batch.certain[row]:
         return []
-    count = int(batch.events[row])
-    times, states = truth.event_times, truth.event_states
-    assert count == len(times)
-    assert batch.event_mode[row, :count].tolist() == truth.signs[1 : count + 1]
-    named = [
-        (
-            "t",
-            batch.t[row],
-            2.0**-52 * batch.t[row] + batch.event_t_error[row, :count].max(initial=0.0),
-            truth.end_time,
-        ),
-        ("dissipated", batch.dissipated[row], batch.dissipated_error[row], truth.dissipated),
-        ("energy_excess", batch.energy_excess[row], batch.energy_excess_error[row], truth.reduced.final.w),
-    ]
-    named += [("y", *one) for one in zip(batch.y[:, row], batch.y_error[:, row], truth.final_state, strict=True)]
-    found = batch.event_t[row, :count], batch.event_t_error[row, :count], times
-    named += [("event_t", *one) for one in zip(*found, strict=True)]
-    each = batch.event_y[:, row, :count], batch.event_y_error[:, row, :count], states
-    named += [("event_y", *one) for one in zip(*(one.ravel() for one in each), strict=True)]
-    return [Compared(f"{name} of a batch", *rest) for name, *rest in named]
+    return [Compared(f"{name} of a batch", *rest) for name, *rest in row_numbers(batch, row, truth)]

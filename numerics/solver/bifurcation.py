@@ -112,13 +112,11 @@ def bifurcation(
         require_kind("bifurcation", one, Scene, "give a list of Scenes on a line")
     require_whole("jobs", jobs, 1)
     t, y = np.full((len(scenes), keep), np.nan), np.full((4, len(scenes), keep), np.nan)
-    success, done = np.zeros(len(scenes), bool), 0
+    success = np.zeros(len(scenes), bool)
     tasks = [(k, scene, _times(scene, keep, period)) for k, scene in enumerate(scenes)]
-    with meter("solving") as told:
-        for k, success[k], points in run_tasks(_points, tasks, jobs=jobs):
-            t[k], y[:, k], done = tasks[k][2], points, done + 1
-            if told is not None:
-                told(done, len(scenes))
+    with meter("solving") as progress:
+        for k, success[k], y[:, k] in run_tasks(_points, tasks, jobs=jobs, progress=progress):
+            t[k] = tasks[k][2]
     return Bifurcation(scenes, t, y, success)
 
 

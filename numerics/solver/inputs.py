@@ -33,12 +33,13 @@ def floats_of(balls: Any) -> tuple[Floats, Floats]:
     return near, off * (1 + 1e-15)
 
 
-def inputs_of(scenes: Sequence[Scene]) -> dict[str, Floats]:
-    """Return the numbers that all of some scenes have, by their names, but for those of tables of samples."""
+def inputs_of(scenes: Sequence[Scene], shape: tuple[int, ...] = (-1,)) -> dict[str, Floats]:
+    """Return the numbers that all of some scenes have, by their names, in a shape; none of tables of samples."""
     tables = {name for one in scenes for name, some in one.pieces.items() if len(some) > _MOST_PIECES}
     found = [parameters(one) | {"until": one.until} for one in scenes]
     names = [name for name in (found[0] if found else ()) if name.partition("[")[0] not in tables]
-    return {name: np.array([near(one[name]) for one in found]) for name in names if all(name in one for one in found)}
+    common = (name for name in names if all(name in one for one in found))
+    return {name: np.reshape([near(one[name]) for one in found], shape) for name in common}
 
 
 def varying(inputs: dict[str, Floats]) -> dict[str, Floats]:

@@ -8,18 +8,15 @@ from __future__ import annotations
 
 import math
 import reprlib
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from functools import cache, partial
-from typing import TYPE_CHECKING, Any, NamedTuple, TypedDict, Unpack, overload
+from functools import cache, lru_cache, partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
-from numerics.linear.batch import follow_many
-from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN
 from numerics.meter import meter
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole, shown
@@ -27,34 +24,25 @@ from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import Batch
 from numerics.solver.inputs import SI, inputs_of, near
-from numerics.solver.rows import form_ledgers, in_chunks, solve_one
+from numerics.solver.line_batch import Rows
+from numerics.solver.rows import Limits, Progress, Work
 from numerics.trajectory.columns import STATE, Floats, room
 from numerics.trajectory.run import MAX_EVENTS
 
-if TYPE_CHECKING:
-    from numerics.solver.plane_batch import PlaneBatch
-
 _POSITIVE, _FLOATS = ("m1", "m2", "a2", "b", "until"), np.finfo(np.float64)
-Progress = Callable[[int, int], None]
 
 
-class _BatchLimits(NamedTuple):
-    max_events: int
-    keep_events: int
-    jobs: int | None
-    progress: Progress | None
-
-    def checked(self) -> _BatchLimits:
-        """Raise ValueError for what is no limit."""
-        require_whole("max_events", self.max_events, 1)
-        require_whole("keep_events", self.keep_events, 0)
-        if self.keep_events > self.max_events:
-            most = f"max_events = {self.max_events}"
-            raise ValueError(f"keep_events = {self.keep_events} must be at most {most}; give fewer, or raise it")
-        require_whole("jobs", 1 if self.jobs is None else self.jobs, 1)
-        if self.progress is not None:
-            require_function("progress", self.progress, "(done, all)")
-        return self
+def _limits(max_events: int, keep_events: int, jobs: int | None, progress: Progress | None) -> Limits:
+    """Return the limits of a batch. Raises ValueError for what is none."""
+    require_whole("max_events", max_events, 1)
+    require_whole("keep_events", keep_events, 0)
+    if keep_events > max_events:
+        most = f"max_events = {max_events}"
+        raise ValueError(f"keep_events = {keep_events} must be at most {most}; give fewer, or raise it")
+    require_whole("jobs", 1 if jobs is None else jobs, 1)
+    if progress is not None:
+        require_function("progress", progress, "(done, all)")
+    return Limits(max_events, keep_events, jobs)
 
 
 def solve_many(
@@ -115,7 +103,7 @@ def solve_many(
             raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     if not isinstance(exact, bool | np.bool_):
         raise ValueError(f"exact = {shown(exact)} must be True or False; leave it out for binary numbers")
-    law, limits, terms = read_law(law), _BatchLimits(max_events, keep_events, jobs, progress).checked(), len(polynomial)
+    law, limits, terms = read_law(law), _limits(max_events, keep_events, jobs, progress), len(polynomial)
     in_columns = not exact and force is None and friction is None
     with np.errstate(over="ignore"):  # of long floats; refused as inf
         arrays = {name: np.asarray(one, object) if exact else _numbers(name, one) for name, one in named.items()}
@@ -128,30 +116,11 @@ def solve_many(
     if not exact:
         _fill(flat.reshape(*shape, len(arrays)), arrays)
     if not in_columns:
-        return _solve_objects(arrays | objects, shape, terms, law, limits)
-    how, scene_of = (terms, law is Law.THREE_VALUED_SGN, max_events), partial(_scene_of_row, flat, terms, law)
-
-    def run(part: slice, kept: Floats, ends: Floats) -> None:
-        follow_many(flat[part], *how, False, kept, ends)
-
-    kept, ends = _solved(scene_of, len(flat), limits, run)
+        return _one_by_one(_scenes(arrays | objects, shape, terms, law), limits, progress, shape)
+    work = Work(partial(_scene_of_row, flat, terms, law), limits, flat, terms, law is Law.THREE_VALUED_SGN)
+    kept, ends = work.solved(len(flat), progress)
     numbers = np.ascontiguousarray(flat[:, : len(SI)])
-    return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, flat, how, jobs), more=arrays.copy)
-
-
-class _Options(TypedDict, total=False):
-    max_events: int
-    keep_events: int
-    jobs: int | None
-    progress: Progress | None
-
-
-@overload
-def solve_scenes(scenes: Sequence[PlaneScene], **options: Unpack[_Options]) -> PlaneBatch: ...
-
-
-@overload
-def solve_scenes(scenes: Sequence[Scene], **options: Unpack[_Options]) -> Batch: ...
+    return Batch(shape, Rows(numbers, ends, kept, shape, work.form_ledgers, arrays.copy, np.False_))
 
 
 def solve_scenes(
@@ -161,11 +130,11 @@ def solve_scenes(
     keep_events: int = 0,
     jobs: int | None = None,
     progress: Progress | None = None,
-) -> Batch | PlaneBatch:
+) -> Batch:
     """Solve each scene in float64, where that is in doubt in balls as `solve` does; arrays of shape (len(scenes),).
 
     Scenes on a surface must have the same number of axes; they run in balls, in `jobs` processes, which need joblib
-    (default: all cores if it is installed), and give a PlaneBatch. Scenes on a line run in one thread; `solve_many` is
+    (default: all cores if it is installed). Scenes on a line run in one thread; `solve_many` is
     faster.
 
     Raises TypeError for anything but a list of scenes of one kind, ValueError for bad arguments, MissingTool.
@@ -174,17 +143,22 @@ def solve_scenes(
     >>> solve_scenes([load_scene("velocities"), load_scene("at-rest")], jobs=1).events.tolist()
     [24, 0]
     """
-    given, limits = _of_one_kind(scenes), _BatchLimits(max_events, keep_events, jobs, progress).checked()
+    given, limits = _of_one_kind(scenes), _limits(max_events, keep_events, jobs, progress)
     if given and isinstance(given[0], PlaneScene):
         from numerics.solver.plane_batch import solve_surfaces
 
-        with meter("solving", limits.progress) as line:
-            return solve_surfaces(given, *limits._replace(progress=line))
-    numbers = np.array([_numbers_in(scene) for scene in given]).reshape(-1, len(SI))
-    kept, ends = _solved(given.__getitem__, len(given), limits._replace(jobs=1))
-    ledgers = partial(form_ledgers, given.__getitem__, None, (0, False, max_events), 1)
-    walls = [bool(one.wall.pieces) for one in given]
-    return Batch(numbers, ends, kept, (len(given),), ledgers, walls, partial(inputs_of, given))
+        with meter("solving", progress) as line:
+            return solve_surfaces(given, *limits, line)
+    return _one_by_one(given, limits, progress, (len(given),))
+
+
+def _one_by_one(scenes: Sequence[Scene], limits: Limits, progress: Progress | None, shape: tuple[int, ...]) -> Batch:
+    """Return the answers of scenes that are solved one after the other, in a shape."""
+    numbers = np.array([_numbers_in(scene) for scene in scenes]).reshape(-1, len(SI))
+    work = Work(scenes.__getitem__, limits._replace(jobs=1))
+    kept, ends = work.solved(len(scenes), progress)
+    walls = np.array([bool(one.wall.pieces) for one in scenes], dtype=bool).reshape(shape)
+    return Batch(shape, Rows(numbers, ends, kept, shape, work.form_ledgers, partial(inputs_of, scenes, shape), walls))
 
 
 def _of_one_kind(given: Any) -> Any:
@@ -204,31 +178,29 @@ def _numbers_in(scene: Scene) -> Any:
     return [near(own[name] if name in own else getattr(scene.pair, name)) for name in SI]
 
 
+_pair = lru_cache(maxsize=1000)(Pair)
+"""Which most scenes of a batch share."""
+
+
 def _scene(
     numbers: Sequence[Any],
     terms: int,
     law: Law,
-    pairs: dict[tuple[int, ...], Pair],
     force: Any = NO_FORCE,
     friction: Any = SAME_FRICTION,
 ) -> Scene:
-    """Return the scene of its SI numbers, the coefficients of a polynomial, the numbers of sines, and what acts too.
-
-    `pairs` keeps the pair of the very same numbers (the caller keeps these), which most scenes of a batch share.
-    """
+    """Return the scene of its SI numbers, the coefficients of a polynomial, the numbers of sines, and what acts too."""
     m1, m2, a2, b, x1, v1, x2, v2, until, a1, *rest = numbers
-    same = id(m1), id(m2), id(a2), id(b), id(a1)
-    pair = pairs[same] if same in pairs else pairs.setdefault(same, Pair(m1, m2, a2, b, a1))
     waves = [Sine(*rest[k : k + 3]) for k in range(terms, len(rest), 3)]
     if any(rest[:terms]) or any(s.amplitude for s in waves):
         own = Force((Piece(0, rest[:terms], waves),))
         force = own if force is NO_FORCE else own + force
-    return Scene(pair, State(x1, v1, x2, v2), until, law, force, friction)
+    return Scene(_pair(m1, m2, a2, b, a1), State(x1, v1, x2, v2), until, law, force, friction)
 
 
 def _scene_of_row(flat: Floats, terms: int, law: Law, row: int) -> Scene:
     """Return the scene of a row of binary numbers."""
-    return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, {})
+    return _scene([Fraction(one) for one in flat[row].tolist()], terms, law)
 
 
 def _all_of(name: str, kind: type, given: Any, none: Any) -> Any:
@@ -240,49 +212,12 @@ def _all_of(name: str, kind: type, given: Any, none: Any) -> Any:
     return array
 
 
-def _solve_objects(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, law: Law, limits: _BatchLimits) -> Batch:
-    """Solve arrays of exact numbers, or of binary ones with forces of any kind, scene by scene."""
-    exactly, pairs = np.vectorize(Fraction, otypes=[object]), dict[tuple[int, ...], Pair]()
+def _scenes(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, law: Law) -> list[Scene]:
+    """Return the scenes of arrays of exact numbers, or of binary ones with forces of any kind."""
+    exactly = np.vectorize(Fraction, otypes=[object])
     each = (one if one.dtype == object else exactly(one) for one in arrays.values())
     rows = zip(*(np.broadcast_to(one, shape).ravel() for one in each), strict=True)
-    scenes = [_scene(row[:-2], terms, law, pairs, *row[-2:]) for row in rows]
-    found = solve_scenes(scenes, **limits._asdict())
-
-    def more() -> dict[str, Floats]:
-        return {name: one.reshape(shape) for name, one in inputs_of(scenes).items()}
-
-    return Batch(found.numbers, found.ends, found.kept, shape, found.form_ledgers, more=more)
-
-
-def _solved(
-    scene_of: Callable[[int], Scene],
-    count: int,
-    limits: _BatchLimits,
-    run: Callable[[slice, Floats, Floats], None] | None = None,
-) -> tuple[Floats, Floats]:
-    """Solve rows in chunks, by compiled code if there is some, and those that it leaves one by one.
-
-    Return the rows of first events and those of ends.
-    """
-    what = f"{count} scenes with keep_events = {limits.keep_events}"
-    kept, ends, done = room(what, count, limits.keep_events + 1, ROW), room(what, count, END_ROW), 0
-    kept[:], ends[:] = np.nan, 0.0
-
-    def solve(part: slice) -> int:
-        hows = ends[part, AT["how"]]
-        hows[:] = UNKNOWN
-        if run is not None and can_compile():
-            run(part, kept[part], ends[part])
-        for row in part.start + np.flatnonzero(hows == UNKNOWN):
-            solve_one(scene_of(int(row)), limits.max_events, kept[row], ends[row], run is None)
-        return len(hows)
-
-    with meter("solving", limits.progress) as progress:
-        for some in in_chunks(solve, count, limits.jobs):
-            done += some
-            if progress is not None:
-                progress(done, count)
-    return kept, ends
+    return [_scene(row[:-2], terms, law, *row[-2:]) for row in rows]
 
 
 def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:

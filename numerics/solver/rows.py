@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from functools import partial
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,11 +15,12 @@ from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.batch import follow_many
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
+from numerics.meter import meter
 from numerics.scene import Scene
 from numerics.solver.inputs import floats_of
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores
-from numerics.trajectory.columns import STATE, Counts, Floats
+from numerics.trajectory.columns import STATE, Counts, Floats, room
 from numerics.trajectory.events import taken_in
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.trajectory import Trajectory
@@ -32,25 +33,68 @@ _TAKEN = AT["friction"]
 _FLOAT64 = Float64()
 
 
-def form_ledgers(
-    scene_of: Callable[[int], Scene], given: Floats | None, how: tuple[int, bool, int], jobs: int | None, ends: Floats
-) -> None:
-    """Run once more the rows of which nobody has formed what was taken and given; by compiled code if it can."""
-    left_out = _without_ledger(ends)
+Progress = Callable[[int, int], None]
 
-    def form(rows: Floats, part: slice) -> int:
-        some = left_out[part]
-        own = ends[some]
-        follow_many(rows[some], *how, True, np.empty((1, 2 + int(own[:, AT["events"]].max()), ROW)), own)
-        held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
-        ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
-        return len(some)
 
-    if given is not None and can_compile():
-        list(in_chunks(partial(form, given), len(left_out), jobs))
-    for row in _without_ledger(ends):
-        run = run_scene(scene_of(int(row)), _FLOAT64, how[-1])
-        ends[row, _TAKEN:] = taken_in(run, range(len(run.row_lengths)))
+class Limits(NamedTuple):
+    """What bounds a batch, and how it is worked on."""
+
+    max_events: int
+    keep_events: int
+    jobs: int | None
+
+
+class Work(NamedTuple):
+    """The scenes of a batch, each by its number; where they are columns of binary numbers, these (linear/batch.py)."""
+
+    scene_of: Callable[[int], Scene]
+    limits: Limits
+    columns: Floats | None = None
+    terms: int = 0
+    literal: bool = False
+
+    def follow(self, rows: Any, has_ledger: bool, kept: Floats, ends: Floats) -> None:
+        """Solve rows of columns by compiled code, if there is some."""
+        if self.columns is not None and can_compile():
+            follow_many(self.columns[rows], self.terms, self.literal, self.limits.max_events, has_ledger, kept, ends)
+
+    def solved(self, count: int, progress: Progress | None) -> tuple[Floats, Floats]:
+        """Return the rows of first events and those of ends; what compiled code leaves is solved one by one."""
+        what = f"{count} scenes with keep_events = {self.limits.keep_events}"
+        kept, ends, done = room(what, count, self.limits.keep_events + 1, ROW), room(what, count, END_ROW), 0
+        kept[:], ends[:] = np.nan, 0.0
+
+        def solve(part: slice) -> int:
+            hows = ends[part, AT["how"]]
+            hows[:] = UNKNOWN
+            self.follow(part, False, kept[part], ends[part])
+            for row in part.start + np.flatnonzero(hows == UNKNOWN):
+                solve_one(self.scene_of(int(row)), self.limits.max_events, kept[row], ends[row], self.columns is None)
+            return len(hows)
+
+        with meter("solving", progress) as line:
+            for some in in_chunks(solve, count, self.limits.jobs):
+                done += some
+                if line is not None:
+                    line(done, count)
+        return kept, ends
+
+    def form_ledgers(self, ends: Floats) -> None:
+        """Run once more the rows of which nobody has formed what was taken and given; by compiled code if it can."""
+        left_out = _without_ledger(ends)
+
+        def form(part: slice) -> int:
+            some = left_out[part]
+            own = ends[some]
+            self.follow(some, True, np.empty((1, 2 + int(own[:, AT["events"]].max()), ROW)), own)
+            held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
+            ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
+            return len(some)
+
+        list(in_chunks(form, 0 if self.columns is None else len(left_out), self.limits.jobs))
+        for row in _without_ledger(ends):
+            run = run_scene(self.scene_of(int(row)), _FLOAT64, self.limits.max_events)
+            ends[row, _TAKEN:] = taken_in(run, range(len(run.row_lengths)))
 
 
 def _without_ledger(ends: Floats) -> Counts:

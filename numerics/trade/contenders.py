@@ -10,7 +10,7 @@ import numpy as np
 
 from numerics.scene.plane import PlaneScene
 from numerics.solver.solve import ArithmeticName, solve
-from numerics.trade.forward_euler import euler_peer
+from numerics.trade.forward_euler import euler_peer, not_marched
 from numerics.trade.integrators import heyoka_arcs, scipy_arcs
 from numerics.trade.judge import MAX_EVENTS, Call, looked_at
 from numerics.trade.switched import switched, unknown
@@ -59,7 +59,7 @@ FLOAT64, BALLS, PEERS = "float64", "balls", ("heyoka", "heyoka long double")
 CONTENDERS = (
     Contender(FLOAT64, (0,), ours("float64"), only_on_a_line),
     Contender(BALLS, (15, 30, 100, 300, 1000), ours("ball"), lambda _: None),
-    Contender("forward Euler", (1e3, 1e4, 1e5, 1e6), euler_peer, unknown),
+    Contender("forward Euler", (1e3, 1e4, 1e5, 1e6), euler_peer, not_marched),
     Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), unknown, "scipy"),
     Contender("heyoka", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), unknown, "heyoka"),
     Contender(PEERS[1], (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), unknown, "heyoka"),

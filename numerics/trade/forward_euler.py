@@ -15,15 +15,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compiled
+from numerics.linear.exact_start import mode_at_start
 from numerics.linear.modes import MODES
+from numerics.linear.pieces import pieces_of
 from numerics.scene import Law, Scene
 from numerics.trade.judge import Call, Run
-from numerics.trade.switched import SwitchedPair
+from numerics.trade.switched import unknown
 
 Vector = NDArray[np.float64]
 
@@ -88,9 +91,11 @@ def march(
 def acting(scene: Scene, t: Vector) -> tuple[Vector, Vector]:
     """Return the force on body 1 and the friction force at these times, N."""
     u, b = np.zeros_like(t), np.zeros_like(t)
-    for span in SwitchedPair(scene).spans:
-        on = t >= span.start
-        u[on], b[on] = span.u(t[on], 0, (np.sin, np.cos)), span.b
+    for piece in pieces_of(scene):
+        on = t >= float(piece.start)
+        u[on] = np.polyval([*map(float, reversed(piece.polynomial))], t[on] - float(piece.start))
+        u[on] += sum(float(s.amplitude) * np.sin(float(s.omega) * t[on] + float(s.phase)) for s in piece.sines)
+        b[on] = float(piece.b)
     return u, b
 
 
@@ -113,9 +118,14 @@ def forward_euler(scene: Scene, step: float) -> EulerRun:
     return EulerRun(scene, t, y, u, b)
 
 
+def not_marched(scene: Any) -> str | None:
+    """Return in words what forward Euler is not written down for."""
+    return unknown(scene) or scene.extra or None
+
+
 def euler_peer(scene: Scene, steps: float) -> Call:
     """Prepare a run of so many steps, its first mode known."""
-    first, step = SwitchedPair(scene).mode, float(scene.until) / steps
+    first, step = mode_at_start(scene).sign, float(scene.until) / steps
     return lambda: read(first, forward_euler(scene, step))
 
 

@@ -1,13 +1,12 @@
-"""Integrators of the pair in its coordinates (switched.py), each in its best use: DOP853 of SciPy, and heyoka.
+"""Integrators of a pair in its coordinates (switched.py), each in its best use: DOP853 of SciPy, and heyoka.
 
 SciPy looks at the signs of its guards at step ends. So a stick arc stops at its event or where the load turns back,
 whichever comes first: the lesser of both guards stays below 0 once the edge is past, so no step can jump over a short
 stay beyond it. Every arc starts at time 0, lest its root is located to a fraction of the time since the start.
 
-heyoka: three compiled Taylor integrators. At an exit g has a double zero, which its root isolation does not get past:
-it loses the next root of that step. So a short step without events leads off the surface first, and in a short slip the
-next step is cut to its length, so that the roots lie apart. Numbers of a span are runtime parameters: a scene with
-another b, force or start compiles nothing.
+heyoka: three compiled Taylor integrators. At an exit v1 - v2 has a double zero, which its root isolation does not get
+past: it loses the next root of that step. So a short step without events leads off the surface first, and in a short
+slip the next step is cut to its length, so that the roots lie apart.
 """
 
 from __future__ import annotations
@@ -16,104 +15,90 @@ from typing import Any
 
 import numpy as np
 
-from numerics.trade.switched import Arc, Extra, Number, PeerFailed, Span, SwitchedPair
+from numerics.trade.switched import APART, FAR, NEAR, SIGNALS, Arc, Matrices, Number, PeerFailed, SwitchedPair, dot
 
 NOTHING = 1e-300
 """Keeps a load that does not change from turning back."""
 FAILED = -(2**32)
 """Outcomes down here are heyoka's own; -1 - i says that terminal event i has stopped the run."""
+Extra = Any
+"""What a module of the extra `comparisons` makes; it is imported late and untyped."""
 
 
 def scipy_arcs(pair: SwitchedPair, rtol: float) -> Arc:
     """Return the arcs of a pair; absolute tolerances are rtol times the pair's own sizes."""
     from scipy.integrate import solve_ivp
 
-    options: Extra = {"method": "DOP853", "rtol": rtol, "atol": rtol * np.array(pair.sizes)}
+    def arc(own: Matrices, slip: bool, y: list[Number], left: Number) -> tuple[bool, Number, list[Number]]:
+        rates = own.rates[not slip]
+        nears = pair.quick * dot(rates[NEAR], y) < rtol * pair.sizes[NEAR]  # else b(t) brings the edge to the load
 
-    def arc(slip: bool, span: Span, s: int, t: Number, start: list[Number]) -> tuple[bool, Number, list[Number]]:
-        def field(since: float, y: Extra) -> list[float]:
-            return pair.rates(slip, span, s, pair.u(span, t + since, 1), y.tolist())
+        def field(_: float, y: Extra) -> list[float]:
+            at = y.tolist()
+            return [dot(row, at) for row in rates]
 
-        def guards(since: float, y: Extra) -> tuple[float, float]:
+        def guards(y: Extra) -> tuple[float, float]:
             """Return what falls to 0 at the event, and where the load turns."""
             if slip:
-                return s * y[2], np.inf
-            return min(-s * y[0], 2 * span.held + s * y[0]), NOTHING + s * pair.quick * field(since, y)[0]
+                return y[APART], np.inf
+            turning = NOTHING - pair.quick * dot(rates[NEAR], y) if nears else np.inf
+            return min(y[NEAR], y[FAR]), turning
 
-        def watched(since: float, y: Extra) -> float:
-            return min(guards(since, y))
+        def watched(_: float, y: Extra) -> float:
+            return min(guards(y))
 
         watched.terminal, watched.direction = True, -1  # type: ignore[attr-defined]
-        left, first = span.end - t, None
-        if slip and start[2] == 0:
-            first = min(pair.first_step(span, s, t, start[0], start[1])[0], left)
-        found = solve_ivp(field, (0, left), np.array(start), events=watched, first_step=first, **options)
+        first = min(pair.first_step(own, y)[0], left) if slip and y[APART] == 0 else None
+        sizes = [*pair.sizes, *[max(map(abs, y[SIGNALS:]))] * (len(y) - SIGNALS)]
+        options: Extra = {"method": "DOP853", "rtol": rtol, "atol": rtol * np.array(sizes), "first_step": first}
+        found = solve_ivp(field, (0, left), np.array(y), events=watched, **options)
         since, end = float(found.t[-1]), found.y[:, -1]
         if found.status == -1:
-            raise PeerFailed(f"SciPy at t = {t + since:.9g} s: {found.message}")
-        if found.status == 0:
-            return False, span.end, end.tolist()
-        met, turning = guards(since, end)
-        return met <= turning, t + since, end.tolist()
+            raise PeerFailed(f"SciPy after {since:.9g} s: {found.message}")
+        met, turning = guards(end)
+        return found.status == 1 and met <= turning, since, end.tolist()
 
     return arc
 
 
-class Placed:
-    """A compiled integrator, and the span whose numbers it has."""
-
-    def __init__(self, one: Extra) -> None:
-        """Keep views of its parameters and its state."""
-        self.one, self.pars, self.state, self.span = one, one.pars, one.state, None  # type: Any, Any, Any, Span | None
-
-    def place(self, span: Span, s: int, t: Number, start: list[Number]) -> Extra:
-        """Set parameters, time and state, and return the integrator."""
-        if span is not self.span:
-            self.pars[1:] = span.numbers[: len(self.pars) - 1]
-            self.span = span
-        self.pars[0], self.one.time, self.state[:] = s, t, start
-        return self.one
-
-
 def heyoka_arcs(pair: SwitchedPair, tol: float) -> Arc:
-    """Compile slip, slip without events, and stick, in the numbers of a pair.
-
-    The arcs serve every pair of the same masses, spring and damper with as many terms and sines.
-    """
+    """Compile slip, slip without events, and stick, in the numbers of a pair."""
     import heyoka as hy
 
-    last = pair.spans[0]
-    formula = last._replace(numbers=[hy.par[1 + n] for n in range(len(last.numbers))])
-    push = formula.u(hy.time, 1, (hy.sin, hy.cos)) if pair.driven else pair.zero
-    y = hy.make_vars("r", "v", "g", "z")
+    zero, cut = pair.kind(0), int(hy.taylor_outcome.time_limit)
 
-    def compiled(slip: bool, *guards: Extra) -> Placed:
-        system = list(zip(y, pair.rates(slip, formula, hy.par[0], push, y), strict=True))
-        falling = [hy.t_event(one, direction=hy.event_direction.negative, fp_type=pair.kind) for one in guards]
+    def compiled(rates: Extra, *guards: int) -> Extra:
+        y = [hy.expression(f"y{k}") for k in range(len(rates))]
+        system = [(one, sum((c * y[k] for k, c in row), 0 * y[0])) for one, row in zip(y, rates, strict=True)]
+        falling = [hy.t_event(y[k], direction=hy.event_direction.negative, fp_type=pair.kind) for k in guards]
         options: Any = {"t_events": falling, "fp_type": pair.kind, "tol": pair.kind(tol)}
-        return Placed(hy.taylor_adaptive(system, [pair.zero] * len(y), **options))
+        one = hy.taylor_adaptive(system, [zero] * len(y), **options)
+        return one, one.state
 
-    s = hy.par[0]
-    leaving, slipping = compiled(True), compiled(True, s * y[2])
-    sticking = compiled(False, -s * y[0], *[2 * formula.held + s * y[0]] * (len(last.numbers) > 3))
-    cut = int(hy.taylor_outcome.time_limit)
+    made = dict[int, Extra]()
+    for *_, own, y in pair.spans:
+        if id(own) not in made:
+            (slip, stick), edges = own.rates, (NEAR, FAR) if len(y) > SIGNALS + 1 else (NEAR,)
+            made[id(own)] = compiled(slip), compiled(slip, APART), compiled(stick, *edges)
 
-    def arc(slip: bool, span: Span, s: int, t: Number, start: list[Number]) -> tuple[bool, Number, list[Number]]:
-        where, first = slipping if slip else sticking, pair.zero
-        if slip and start[2] == 0:
-            step, back = pair.first_step(span, s, t, start[0], start[1])
+    def arc(own: Matrices, slip: bool, y: list[Number], left: Number) -> tuple[bool, Number, list[Number]]:
+        leaving, slipping, sticking = made[id(own)]
+        (one, state), since, first = slipping if slip else sticking, zero, zero
+        if slip and y[APART] == 0:
+            step, back = pair.first_step(own, y)
             if back:
-                off = leaving.place(span, s, t, start)
-                off.step(min(span.end - t, pair.kind(step)))
-                t, start = off.time, off.state.tolist()
+                off, there = leaving
+                off.time, there[:] = zero, y
+                off.step(min(left, pair.kind(step)))
+                since, y = off.time, there
                 first = pair.kind(1.5 * back) if back < pair.quick else first
-        one = where.place(span, s, t, start)
+        one.time, state[:] = since, y
         one.reset_cooldowns()
-        code = int(one.step(min(span.end - t, first))[0]) if first else FAILED
+        code = int(one.step(min(left - since, first))[0]) if first else FAILED
         if code <= FAILED:
-            code = int(one.propagate_until(span.end)[0])
+            code = int(one.propagate_until(left)[0])
         if code <= FAILED and code != cut:
-            raise PeerFailed(f"heyoka at t = {one.time:.9g} s: outcome {code}")
-        return code > FAILED, one.time, where.state.tolist()
+            raise PeerFailed(f"heyoka after {one.time:.9g} s: outcome {code}")
+        return code > FAILED, one.time, state.tolist() if pair.kind is float else list(state)
 
     return arc

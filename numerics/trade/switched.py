@@ -1,38 +1,43 @@
-"""The pair as a user of an integrator writes it down: one smooth field per mode, in coordinates that lose nothing.
+"""A scene as a user of an integrator writes it down: y' = B y in slip and in stick, in coordinates that lose nothing.
 
-With the load F = u(t) - a2 x1 - a1 v1 and held = b (m1+m2)/m2, friction holds the bodies together while |F| < held.
-Towards one edge
-of that region, s = +1 or -1 (in slip the sign of v1 - v2), the coordinates are
+The matrices are those of linear/model.py. Towards one edge of the sliding region, s = +1 or -1 (in slip the sign of
+v1 - v2), all but the friction signal is multiplied by s, so that slip + stands for both slips. The coordinates are
 
-    r = F - s held,   v = v1,   g = v1 - v2,   z = x1 - x2,   with z' = g
+    b_static - Lambda,   b_static + Lambda,   v1 - v2,   v1,   x1,   x2,   and the signals of z
 
-    slip   m1 v' = r + s (held - b),   m1 g' = r       until s g falls to 0
-    stick  (m1+m2) v' = r + s held,    g = 0           until -s r falls to 0
-
-with r' = u'(t) - a2 v - a1 v' in both. At an exit r = g = 0 exactly, so a slip of any length can be computed to full
-relative accuracy, and events are clean roots.
+In slip the third falls to 0 at the event; in stick the first or the second does. At an exit two of them are 0 exactly,
+and the rates are formed of these, so a slip of any length can be computed to full relative accuracy.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import cache
+from operator import add, mul
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from numerics.errors import NumericsError
+from numerics.linear.exact_start import mode_at_start
+from numerics.linear.model import BELT, FIRST, FRICTION, SLIP, STICK, V1, V2, X1, X2, Layout, exact_rows
 from numerics.linear.modes import MODES
-from numerics.linear.pieces import pieces_of
-from numerics.scene import Law, Scene
+from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.linear.sine_form import SineForm
+from numerics.linear.ties import exact_z, signal_form
+from numerics.scene import Law, Pair, Scene
 from numerics.trade.judge import Call, Run
 
 Number = Any
 """A number of the integrator's format: float or numpy.longdouble."""
+Row = list[tuple[int, Number]]
+"""A linear function of y: places and coefficients."""
+NEAR, FAR, APART, SPEED, FIRST_X, SECOND_X, SIGNALS = range(7)
+"""The coordinates: the guards of stick and of slip, v1, x1, x2, and where those of the signals begin."""
 MAX_ARCS = 300_000
-Extra = Any
-"""What a module of the extra `comparisons` makes; it is imported late and untyped."""
+_BITS = 192
 
 
 class PeerFailed(NumericsError):
@@ -45,112 +50,110 @@ def unknown(scene: Any) -> str | None:
         return "a surface"
     if scene.law is not Law.FILIPPOV:
         return f'law = "{scene.law.value}"'
-    return scene.extra or None
+    if not (scene.pair.a2 and scene.pair.b):
+        return "a2 = 0 or b = 0"
+    return "friction that depends on the state" if scene.friction.weakening else None
 
 
-class Span(NamedTuple):
-    """The time between two jumps of u or b; numbers, arrays or formulas.
+class Matrices(NamedTuple):
+    """What a pair, and number and frequencies of the terms of its signals, make of a scene."""
 
-    `numbers` are held and b (N), and u: an origin, the coefficients of a polynomial in t - origin (so many `terms`,
-    constant first), and three for each sine: amplitude, omega, phase.
-    """
+    to_y: Any
+    """The rows of y in z, exact."""
+    rates: list[list[Row]]
+    """B, of slip and of stick."""
+    bends: list[Row]
+    """The first three derivatives of v1 - v2 in slip."""
+    width: Row
+    """2 b_static, the sum of the first two coordinates."""
+    signs: list[int]
+    """What y is multiplied by towards the other edge, where the first two change places."""
 
-    end: Number
-    terms: int
-    numbers: Any
+    def y_of(self, piece: ExactPiece, local: Fraction, *state: SineForm) -> Any:
+        """Return y at a time in a piece (s), of a state, else of what is 0 but for the velocity of a belt; exact."""
+        moves = state or [SineForm()] * 3 + [signal_form(piece, BELT, local)]
+        return np.array(exact_z(piece, 1, local, moves), dtype=object) @ self.to_y.T
 
-    @property
-    def held(self) -> Number:
-        """Return b (m1+m2)/m2, the largest load that friction holds in stick, N."""
-        return self.numbers[0]
+    def turned(self, y: Sequence[Number]) -> list[Number]:
+        """Return the coordinates towards the other edge."""
+        return [y[FAR], y[NEAR], *map(mul, self.signs, y[APART:])]
 
-    @property
-    def b(self) -> Number:
-        """Return the friction force, N."""
-        return self.numbers[1]
+    def falls(self, y: Sequence[Number]) -> bool:
+        """Return whether the bodies that stick get nearer to the edge."""
+        return bool(dot(self.rates[STICK][NEAR], y) < 0)
 
-    @property
-    def start(self) -> Number:
-        """Return the time from which the polynomial counts, s."""
-        return self.numbers[2]
+    def after_contact(self, y: Sequence[Number]) -> int:
+        """Return the mode after v1 = v2: 0, or 1 for a slip towards this edge, -1 towards the other one.
 
-    def u(self, t: Number, order: int, waves: Any) -> Number:
-        """Return the derivative of order 0, 1 or 2 at t (s); `waves`: sine and cosine of the numbers that t is of."""
-        value, numbers, sines = 0 * t, self.numbers, 3 + self.terms
-        for k in range(order, self.terms):
-            value += math.perm(k, order) * numbers[3 + k] * (t - self.start) ** (k - order)
-        for n in range(sines, len(numbers), 3):
-            wave = waves[order % 2](numbers[n + 1] * t + numbers[n + 2])
-            value += (-1) ** (order // 2) * numbers[n] * numbers[n + 1] ** order * wave
-        return value
+        Exactly on an edge the bodies part if the load goes on outwards along stick; where it turns back they stick.
+        """
+        for side, gap in ((1, y[NEAR]), (-1, y[FAR])):
+            if gap < 0 or (gap == 0 and self.falls(y if side > 0 else self.turned(y))):
+                return side
+        return 0
+
+
+def dot(row: Row, y: Sequence[Number]) -> Number:
+    """Return the value of a row."""
+    value = 0 * y[0]
+    for k, c in row:
+        value += c * y[k]
+    return value
+
+
+@cache
+def matrices(pair: Pair, layout: Layout, kind: type) -> Matrices:
+    """Return the matrices of a pair under signals of a layout: formed exactly, and rounded once."""
+
+    def row(numbers: Any) -> Row:
+        exact = ((k, Fraction(c)) for k, c in enumerate(numbers) if c)
+        return [(k, kind(str(c.numerator)) / kind(str(c.denominator))) for k, c in exact]
+
+    rows, unit = exact_rows(pair, layout), np.eye(layout.size, dtype=int).astype(object)
+    near, far = rows.guards[STICK]
+    to_y = np.array([near, far, *rows.guards[SLIP][:1], unit[V1], unit[X1], unit[X2], *unit[FIRST:]])
+    to_z = np.eye(len(to_y), dtype=int).astype(object)[[NEAR, SPEED, SECOND_X, SPEED, *range(SIGNALS, len(to_y))]]
+    to_z[X1, SPEED], to_z[X1, SIGNALS:], to_z[V2, APART] = -near[V1], -near[FIRST:], -1
+    to_z[X1] /= near[X1]
+    slip, stick = (to_y @ rows.A[mode] @ to_z for mode in (SLIP, STICK))
+    bends = (slip[APART], slip[APART] @ slip, slip[APART] @ slip @ slip)
+    first, terms, sines, waves = layout.blocks[FRICTION]
+    friction = {*range(first, first + terms), *range(sines, sines + 2 * waves)}
+    signs = [-1] * (SIGNALS - APART) + [1 if k in friction else -1 for k in range(FIRST, layout.size)]
+    return Matrices(to_y, [[*map(row, slip)], [*map(row, stick)]], [*map(row, bends)], row((near + far) @ to_z), signs)
 
 
 class SwitchedPair:
     """A scene in an integrator's own numbers, SI units."""
 
     def __init__(self, scene: Scene, kind: type = float) -> None:
-        """Convert a scene of Filippov's law; the mode at t = 0 is decided on exact numbers."""
-        pair, at, self.kind, self.zero = scene.pair, scene.initial, kind, kind(0)
-        self.m1, self.mass, self.a1, self.a2 = self.numbers(pair.m1, pair.mass, pair.a1, pair.a2)
-        self.waves: Any = (math.sin, math.cos) if kind is float else (np.sin, np.cos)
-        pieces, self.spans = pieces_of(scene), list[Span]()
-        terms, sines = (max(len(part(one)) for one in pieces) for part in (lambda p: p.polynomial, lambda p: p.sines))
-        for one in pieces:
-            numbers = [one.b * pair.mass / pair.m2, one.b, one.start, *one.polynomial]
-            numbers += [Fraction(0)] * (terms - len(one.polynomial))
-            numbers += [part for wave in one.sines for part in (wave.amplitude, wave.omega, wave.phase)]
-            numbers += [Fraction(0)] * (3 + terms + 3 * sines - len(numbers))
-            self.spans.append(Span(self.numbers(one.start + one.length)[0], terms, self.numbers(*numbers)))
-        self.driven = terms > 1 or sines > 0
+        """Take a scene of Filippov's law; the mode at t = 0 is decided on exact numbers."""
+        pair, at, self.kind, self.mode = scene.pair, scene.initial, kind, mode_at_start(scene).sign
         self.quick = 0.5 * math.sqrt(pair.m1 / pair.a2)
         """Half a radian of slip, s."""
-        # exactly, lest a start on the edge misses it by a rounding error
-        load = Fraction(scene.force(0)) - pair.a2 * at.x1 - pair.a1 * at.v1
-        beyond = abs(load) - pieces[0].b * pair.mass / pair.m2
-        self.start = self.numbers(load, at.v1, at.v1 - at.v2, at.x1 - at.x2)
-        """The load F, v, g and z."""
-        self.mode = int(np.sign(self.start[2])) or self.parted(
-            self.spans[0], self.zero, self.start[0], beyond, self.start[1]
-        )
-        length = max(float(one.held / self.a2) for one in self.spans) + abs(float(at.x1))
-        speed = length * math.sqrt(pair.a2 / pair.m1) + abs(float(at.v1)) + abs(float(at.v2))
-        self.sizes = [length * float(pair.a2), speed, speed, length]
-        """Of the coordinates: what absolute tolerances are measured by."""
+        self.spans = list[tuple[Number, Number, Matrices, list[Number]]]()
+        """Of each piece of the signals where it begins, its length and matrices; what is added to y there."""
+        before, moves = [SineForm()] * SIGNALS, [SineForm(one) for one in (at.x1, at.v1, at.x2, at.v2)]
+        for piece in pieces_of(scene):
+            own = matrices(pair, piece.layout, kind)
+            begun = own.y_of(piece, Fraction(0), *moves)
+            begun[:SIGNALS] -= before[:SIGNALS]
+            exact = (SineForm(piece.start), SineForm(piece.length), *begun)
+            start, length, *y = (kind(one.enclosed(_BITS).str(40, radius=False)) for one in exact)
+            self.spans.append((start, length, own, y))
+            before, moves = own.y_of(piece, piece.length), []
+        force = max(float(abs(y[NEAR]) + abs(y[FAR])) for *_, y in self.spans)
+        speed = force / math.sqrt(pair.m1 * pair.a2) + abs(float(at.v1)) + abs(float(at.v2))
+        length = force / float(pair.a2) + abs(float(at.x1))
+        self.sizes = [force, force, speed, speed, length, length]
+        """Of the coordinates before the signals: what absolute tolerances are measured by."""
 
-    def numbers(self, *values: Fraction) -> list[Number]:
-        """Return rationals in the integrator's format."""
-        return [self.kind(str(one.numerator)) / self.kind(str(one.denominator)) for one in values]
+    def first_step(self, own: Matrices, y: Sequence[Number]) -> tuple[float, float]:
+        """Return a step off the surface that ends within the slip, and when v1 - v2 comes back by its series, s.
 
-    def u(self, span: Span, t: Number, order: int = 0) -> Number:
-        """Return a derivative of u at t (s)."""
-        return span.u(t, order, self.waves) if self.driven or not order else self.zero
-
-    def load_rate(self, span: Span, t: Number, load: Number, v1: Number) -> Number:
-        """Return F' along stick, N/s."""
-        return self.u(span, t, 1) - self.a2 * v1 - self.a1 * load / self.mass
-
-    def parted(self, span: Span, t: Number, load: Number, beyond: Number, v1: Number) -> int:
-        """Return the mode after v1 = v2, towards the side of the load F; `beyond` = |F| - held.
-
-        Where F lies on the edge the bodies part if it goes on outwards along stick; where it turns back they stick.
+        It starts as c1 t + c2 t^2/2 + c3 t^3/6; where it leaves steeply it is not asked, and the second number is 0.
         """
-        side = 1 if load > 0 else -1
-        return side * bool(beyond > 0 or (beyond == 0 and side * self.load_rate(span, t, load, v1) > 0))
-
-    def rates(self, slip: bool, span: Span, s: Number, push: Number, y: Any) -> list[Any]:
-        """Return the time derivatives of the coordinates y, with push = u'(t); numbers, arrays or formulas."""
-        r, v, g, _ = y
-        pull = (r + s * (span.held - span.b)) / self.m1 if slip else (r + s * span.held) / self.mass
-        return [push - self.a2 * v - self.a1 * pull, pull, *([r / self.m1, g] if slip else [0 * g, 0 * g])]
-
-    def first_step(self, span: Span, s: int, t: Number, r: Number, v: Number) -> tuple[float, float]:
-        """Return a step off the surface that ends within the slip, and when g comes back by its series, s.
-
-        s g starts as c1 t + c2 t^2/2 + c3 t^3/6; where it leaves steeply it is not asked, and the second number is 0.
-        """
-        rate, pull, *_ = self.rates(True, span, s, self.u(span, t, 1), (r, v, self.zero, self.zero))
-        bend = self.u(span, t, 2) - self.a2 * pull - self.a1 * rate / self.m1
-        c1, c2, c3 = (float(s * one / self.m1) for one in (r, rate, bend))
+        c1, c2, c3 = (float(dot(row, y)) for row in own.bends)
         if c1 > abs(c2) * self.quick:
             return self.quick, 0.0
         inner = c2 * c2 / 4 - 2 * c1 * c3 / 3
@@ -158,10 +161,10 @@ class SwitchedPair:
         return min(back / 2, self.quick), back
 
 
-Arc = Callable[[bool, Span, int, Number, list[Number]], tuple[bool, Number, list[Number]]]
-"""An integrator of both modes: from slip or not, a span, the edge, the time (s) and the coordinates r, v, g, z, to
-whether it met its event, the time and the coordinates there. It may stop before the end of the span where the load
-turns back. Raises PeerFailed."""
+Arc = Callable[[Matrices, bool, list[Number], Number], tuple[bool, Number, list[Number]]]
+"""An integrator of both modes: from matrices, slip or not, coordinates and the time that is left (s), to whether it met
+its event, the time that has passed and the coordinates there. It may stop before where the load turns back. Raises
+PeerFailed."""
 
 
 def switched(integrator: Callable[[SwitchedPair, float], Arc], kind: type = float) -> Callable[[Scene, float], Call]:
@@ -177,38 +180,40 @@ def switched(integrator: Callable[[SwitchedPair, float], Arc], kind: type = floa
 
 def run(pair: SwitchedPair, arc: Arc) -> Run:
     """Run from event to event and from jump to jump. Raises PeerFailed."""
-    t, mode, arcs, (load, v, g, z) = pair.zero, pair.mode, 0, pair.start
+    s, mode, arcs, y = 1, pair.mode, 0, [pair.kind(0)] * SIGNALS
     modes, times, states = [mode], list[Number](), list[tuple[Number, ...]]()
 
-    def note(span: Span) -> None:
+    def note() -> None:
         """Keep the state."""
-        x1 = (pair.u(span, t) - load - pair.a1 * v) / pair.a2
-        states.append((x1, v, x1 - z, v - g))
+        states.append((s * y[FIRST_X], s * y[SPEED], s * y[SECOND_X], s * (y[SPEED] - y[APART])))
 
-    note(pair.spans[0])
-    for before, span in zip([pair.spans[0], *pair.spans], pair.spans, strict=False):
-        held, turned, after = span.held, 0, mode
-        if span is not before:
-            load += pair.u(span, t) - pair.u(before, t)
-            after = mode or pair.parted(span, t, load, abs(load) - held, v)
+    for start, length, own, jumps in pair.spans:
+        begun = jumps if s > 0 else own.turned(jumps)
+        t, turns, y = pair.kind(0), False, [*map(add, y[:SIGNALS], begun), *begun[SIGNALS:]]
+        after = s * (int(np.sign(y[APART])) or own.after_contact(y)) if states else mode
         while True:
+            if after != mode or not states:
+                note()
             if after != mode:
                 modes.append(after)
-                times.append(t)
-                note(span)
+                times.append(start + t)
             mode = after
-            if t >= span.end:
+            if t >= length:
                 break
-            s = mode or turned or (1 if pair.load_rate(span, t, load, v) > 0 else -1)
-            met, t, (r, v, g, z) = arc(mode != 0, span, s, t, [load - s * held, v, g, z])
-            load, turned, arcs = r + s * held, -s, arcs + 1
+            side = mode or (s if own.falls(y) and not turns else -s)
+            if side != s:
+                y, s = own.turned(y), side
+            left, arcs = length - t, arcs + 1
+            met, taken, y = arc(own, mode != 0, y, left)
+            t, turns = length if taken >= left else t + taken, not met
             if arcs > MAX_ARCS:
-                raise PeerFailed(f"{len(times)} events by t = {t:.9g} s in {arcs} arcs")
+                raise PeerFailed(f"{len(times)} events by t = {start + t:.9g} s in {arcs} arcs")
             if met:
-                side, beyond, g = (s, s * r, pair.zero) if s * r > -held else (-s, -s * r - 2 * held, pair.zero)
+                y[APART] = pair.kind(0)
                 if mode == 0:
-                    load, after = side * held, side
+                    y, s = (y, s) if y[NEAR] < y[FAR] else (own.turned(y), -s)
+                    y[NEAR], y[FAR], after = pair.kind(0), dot(own.width, y), s
                 else:
-                    after, turned = pair.parted(span, t, load, beyond, v), 0
-    note(pair.spans[-1])
+                    after = s * own.after_contact(y)
+    note()
     return Run([MODES[one].value for one in modes], times, states)

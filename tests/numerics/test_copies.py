@@ -111,7 +111,7 @@ def test_a_run_and_all_that_it_answers_comes_back(scene, how, tmp_path):
         lambda: track(load_scene("at-rest"), load_reference("s-curve")),
         lambda: ring_entry(PAPER, radius="0.001"),
         lambda: sensitivities(solve(replace(PAPER, until="0.1"), digits=40)),
-        lambda: solve_many(1, 1, 200, 0.5, v1=[0.1, 0.2], until=1, keep_events=2).ends,
+        lambda: solve_many(1, 1, 200, 0.5, v1=[0.1, 0.2], until=1, keep_events=2).results,
         lambda: solve_scenes([load_scene("plane-box")], jobs=1, keep_events=2),
     ],
 )

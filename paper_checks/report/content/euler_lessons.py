@@ -7,11 +7,11 @@ from functools import cache
 from itertools import takewhile
 from typing import NamedTuple
 
+from numerics.linear.exact_start import mode_at_start
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.trade.forward_euler import forward_euler, read
 from numerics.trade.judge import judge, proved
-from numerics.trade.switched import SwitchedPair
 from paper_checks.report.content.blocks import Block, Paragraph, Table
 from paper_checks.report.content.phrases import listed
 
@@ -42,7 +42,7 @@ class Outcome(NamedTuple):
 @cache
 def outcomes(scene: Scene, steps: Sequence[float] = STEPS) -> list[Outcome]:
     """Return what forward Euler makes of a scene with these steps (s), from coarse to fine."""
-    truth, first, found = proved(scene), SwitchedPair(scene).mode, []
+    truth, first, found = proved(scene), mode_at_start(scene).sign, []
     for step in steps:
         run = forward_euler(scene, step)
         verdict = judge(read(first, run), truth)
