@@ -7,10 +7,9 @@ import pytest
 from control_scenes import referred
 from scipy.optimize import minimize_scalar
 
-from numerics import InvalidScene, NotSettled, OutOfRange, Pair, Scene, State, damping, load_scene, solve
+from numerics import NotSettled, Pair, Scene, State, damping, load_scene, solve
 from numerics.control import damping as dampers
 from numerics.control.pictures import draw_damping
-from numerics.errors import NoForceHere
 
 FIGURE = load_scene("velocities")
 UNEVEN = Scene(Pair(4, 1, 10, "0.3"), State(v1="0.9"), 1)
@@ -118,36 +117,6 @@ def test_where_heavier_dampers_are_better_without_end_none_is_best():
     found = damping(FIGURE.replace(a1=5), "0.001", digits=6)
     assert (found.best, found.at_best, float(found.heavy.rest)) == (None, None, 0)
     assert draw_damping(found).axes
-
-
-@pytest.mark.parametrize(
-    ("scene", "tolerance", "error", "said"),
-    [
-        (FIGURE, 0, InvalidScene, "tolerance = 0 must be > 0"),
-        (load_scene("forced-step"), 1, NoForceHere, "leave the force"),
-        (load_scene("forced-friction-by-pieces"), 1, NoForceHere, "leave the force"),
-        (load_scene("velocities-literal"), 1, InvalidScene, "leave the law out"),
-        (load_scene("belt"), 1, InvalidScene, "not available"),
-        (FIGURE.pair, 1, TypeError, "takes a Scene"),
-        (
-            FIGURE.replace(a2="1e400"),
-            "1e-100",
-            OutOfRange,
-            "of the search is beyond the range of float64 .* choose units",
-        ),
-        (
-            FIGURE,
-            "1e300",
-            OutOfRange,
-            r"tolerance = 1e\+300 m must be between 1.00e-151 and 1.00e\+149 m, .* give another",
-        ),
-        (FIGURE, "1e-300", OutOfRange, r"tolerance = 1e-300 m must be between 1.00e-151 and 1.00e\+149 m"),
-    ],
-)
-def test_what_has_no_answer_is_refused_in_one_line(scene, tolerance, error, said):
-    with pytest.raises(error, match=said) as found:
-        damping(scene, tolerance)
-    assert not any(word in str(found.value) for word in ("\n", "arithmetic"))
 
 
 def test_too_many_slips_are_said(monkeypatch):

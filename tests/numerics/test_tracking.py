@@ -12,9 +12,9 @@ from strategies import decimals
 
 from numerics import Friction, Pair, Piece, Scene, Sine, State, load_reference, load_scene
 from numerics.arithmetic.ball import Ball
-from numerics.control.peak import largest_size
 from numerics.control.pictures import draw_tracking
-from numerics.control.tracking import over, track
+from numerics.control.tracking import track
+from numerics.scene.largest import largest_size, over
 
 S_CURVE = (Piece(0, ["0.25", 0, "0.1"]), Piece(1, ["0.35", "0.2", 0, "-0.01"]), Piece(2, ["0.54", "0.17", "-0.03"]))
 
