@@ -14,7 +14,7 @@ A margin E keeps the load of a stuck transfer at most (1 - E) b. The times of a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
 
@@ -29,9 +29,9 @@ from numerics.control.answers import (
     rounded,
     rounded_up,
 )
-from numerics.control.thresholds import cosine_and_sine
 from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
+from numerics.linear.system import LinearMode
 from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits, short
 from numerics.scene.model import require_plain
@@ -202,10 +202,8 @@ def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
 
 def pushed(pair: Pair, t: arb) -> tuple[arb, arb, arb]:
     """Return where body 1 alone is under 1 N from rest at a time (s), its velocity g, and g'."""
-    decay = pair.a1 / (2 * pair.m1)
-    C, S = cosine_and_sine(pair.a2 / pair.m1 - decay**2, t)
-    left, back = (-number(decay) * t).exp(), number(decay) * S
-    return (1 - left * (C + back)) / number(pair.a2), left * S / number(pair.m1), left * (C - back) / number(pair.m1)
+    x, v, *_ = LinearMode.under(replace(pair, b=Fraction(0)), 1, Piece(0, (1,))).motion((arb(0),) * 4, arb(0)).state(t)
+    return x, v, (1 - number(pair.a1) * v - number(pair.a2) * x) / number(pair.m1)
 
 
 def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
