@@ -30,7 +30,7 @@ def largest_size(
         return abs(function(part, 0)).upper().min(abs(wide).upper())
 
     parts, best, where = [(start.lower(), end.upper())], arb(-1), start
-    low_enough = most = best
+    most = best
     while 0 < len(parts) <= _MOST_PARTS and all(low < high for low, high in parts):
         halves = []
         for low, high in parts:
@@ -39,15 +39,10 @@ def largest_size(
         for t in (*(low for low, _ in halves), end.upper()):
             if (here := abs(function(t, 0)).lower()) > best:
                 best, where = here, t
-        bounded, parts = [(half, bound(*half)) for half in halves], []
-        most = low_enough.max(best)
-        for half, top in bounded:
-            if enough is not None and top <= enough:
-                low_enough = low_enough.max(top)
-            elif top > best:
-                parts.append(half)
-            most = most.max(top)
-        if most - best <= most * arb(10) ** -digits or (enough is not None and best > enough):
+        bounded = [(half, bound(*half)) for half in halves]
+        parts = [half for half, top in bounded if top > best]
+        most = max([best, *(top for _, top in bounded)])
+        if most - best <= most * arb(10) ** -digits or (enough is not None and (best > enough or most <= enough)):
             break
     return best.union(most), where
 
