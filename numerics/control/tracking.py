@@ -15,7 +15,6 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
 from itertools import pairwise
 
 from flint import arb
@@ -99,7 +98,7 @@ class Tracking(ShortRepr):
 
     def goal(self, scene: Scene) -> tuple[arb, arb]:
         """Return where body 2 is to be at the horizon of its scene, and the size beside which an error counts, m."""
-        place = over(Force(self.reference).piece_at(scene.until), number(scene.until))
+        place = over(Force(self.reference).piece_at(scene.until))(number(scene.until))
         return place, abs(place).max(arb(1))
 
 
@@ -165,7 +164,7 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
 
 def _demand(m2: Fraction, index: int, piece: ExactPiece, digits: int) -> Demand:
     bend, limit, end = acceleration(piece), piece.b / m2, piece.start + piece.length
-    peak, where = largest_size(partial(over, bend), number(piece.start), number(end), digits)
+    peak, where = largest_size(over(bend), number(piece.start), number(end), digits)
     possible = is_within(bend, limit, piece.length)
     if possible is None:
         possible = proved_sign(number(limit) - peak, "is the acceleration within the limit of friction?") >= 0

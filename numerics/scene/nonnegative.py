@@ -10,8 +10,8 @@ from numerics.scene.decimals import short
 from numerics.scene.friction import Friction
 from numerics.scene.pieces import Piece
 
-_BITS, _DIGITS = 128, 24
-"""Of balls; and the digits to which the least value is looked for."""
+_DIGITS = 14
+"""To which the least value is looked for, at whatever precision flint has."""
 
 
 def require_nonnegative(friction: Friction, until: Fraction) -> None:
@@ -35,23 +35,19 @@ def least_of(polynomial: tuple[Fraction, ...], length: Fraction) -> Fraction:
 
 def _prove_in_balls(piece: Piece, length: Fraction) -> None:
     """Prove it for some time from the start of a piece: what b falls short of a number above it is at most that."""
-    from flint import ctx  # which most scenes do not need
-
-    from numerics.scene.largest import ball, largest_size, over
+    from numerics.scene.largest import ball, largest_size, over  # flint, which most scenes do not need
 
     if piece.frequency:
         length = min(length, 7 / piece.frequency)  # more than a period
     above = sum((abs(c) * length**k for k, c in enumerate(piece.polynomial)), Fraction(0))
-    above += sum(abs(one.amplitude) for one in piece.sines)
-    with ctx.workprec(_BITS):
-        begin, most = ball(piece.start), ball(above)
-        short_of, at = largest_size(
-            lambda t, order: most * (not order) - over(piece, t, order), begin, begin + ball(length), _DIGITS, most
-        )
-        if short_of <= most:
-            return
-        value = most - short_of
+    begin, most = ball(piece.start), ball(above + sum(abs(one.amplitude) for one in piece.sines))
+    b = over(piece)
+    short_of, at = largest_size(
+        lambda t, order: most * (not order) - b(t, order), begin, begin + ball(length), _DIGITS, most
+    )
+    if short_of <= most:
+        return
     raise InvalidScene(
         f"friction from t = {short(piece.start)} s: b(t) >= 0 is not proved at t = {float(at):.6g} s, where b = "
-        f"{float(value):.3g} N; raise its constant, or begin a piece where it touches 0"
+        f"{float(most - short_of):.3g} N; raise its constant, or begin a piece where it touches 0"
     )
