@@ -25,7 +25,7 @@ from numerics.errors import NotSettled
 from numerics.scene import Pair, Piece
 from numerics.scene.decimals import short
 
-_NEWTON, _MOST_PARTS, _TERMS, _CHECKS, _LEAST_STEP = 12, 1000, 40, 8, 0.9999
+_NEWTON, _MOST_PARTS, _TERMS, _CHECKS, _LEAST_STEP = 12, 1000, 39, 8, 0.9999
 _LITTLE = Fraction(1, 10**20)
 """By this part the force stays below the limit of friction, so that the bodies stick beyond doubt."""
 
