@@ -35,6 +35,15 @@ def referred(scene: Scene, digits: int = 36) -> Reference:
     return Reference(scene, digits).run()
 
 
+def arrived(found: Any, distance: str, digits: int = 36) -> Reference:
+    """The scene of a transfer from x2 = 0.25 m solved by the reference, which has it at rest at its goal."""
+    run = referred(found.scene, digits)
+    with Ball(36).context():
+        assert abs(run.x2 - Ball.number(Fraction("0.25") + Fraction(distance))) < 1e-19
+        assert abs(run.v1) + abs(run.v2) < 1e-18
+    return run
+
+
 def started(orbit: Orbit, begin: Fraction) -> list[Fraction]:
     """(x1, v1, v2) of a periodic motion at a time."""
     with Ball(50).context():

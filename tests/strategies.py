@@ -46,7 +46,6 @@ plane_scenes = partial(drawn, draws.surface, exponents=(0, 0), narrow=False)
 extreme_scenes = {kind: drawn(draw) for kind, draw in draws.KINDS.items()}
 """Scenes of masses, rates, frictions and energies of many magnitudes, and on a surface."""
 forces = partial(drawn, draws.force, Fraction(1), Fraction(3), Fraction(10))
-frictions = partial(drawn, draws.friction, Fraction(1), Fraction(10))
 
 
 def fewer(times: int) -> settings:

@@ -17,25 +17,36 @@ from numerics.shown import shown_steps
 if TYPE_CHECKING:
     from numerics.control.response import Response
     from numerics.control.rotating import RotatingResponse
-    from numerics.scene import Scene
 
 Shown = tuple[dict[str, Any], list[str]]
 """A result for JSON, and as lines."""
 
 
+def _ask(options: argparse.Namespace, question: str, *given: Any, names: str = "") -> tuple[Any, Any]:
+    """Return the scene of a command, and what the function of a name finds for it, with options of these names."""
+    import numerics
+    from numerics.scene.file import load_line, load_scene
+
+    scene = (load_scene if question == "response" else load_line)(options.scene)
+    with shown_steps():
+        return scene, getattr(numerics, question)(scene, *given, **asked(options, *names.split()))
+
+
+def _print(options: argparse.Namespace, found: Any, shown: Shown, unproved: str = "") -> int:
+    """Print what is found, and how many digits of it are right."""
+    record, lines = shown
+    answer(options, record | {"digits": found.digits}, [*lines, f"{found.digits} right digits, proved{unproved}"])
+    return OK
+
+
 def print_response(options: argparse.Namespace) -> int:
     """Print the regime of a scene under its periodic force, with thresholds, periodic motion and multipliers."""
-    from numerics.control.response import response
     from numerics.control.rotating import RotatingResponse
-    from numerics.scene.file import load_scene
 
-    with shown_steps():
-        found: Any = response(load_scene(options.scene), **asked(options, "amplitude", "omega", "max_events"))
+    _, found = _ask(options, "response", names="amplitude omega max_events")
     turns = isinstance(found, RotatingResponse)
     draw(options, "draw_rotating" if turns else "draw_response", found)
-    record, lines = _of_rotating(found) if turns else _of_response(found)
-    answer(options, record, [*lines, f"{found.digits} right digits, proved"])
-    return OK
+    return _print(options, found, _of_rotating(found) if turns else _of_response(found))
 
 
 _SLIPS_FOR_EVER = {
@@ -66,7 +77,7 @@ def _of_response(found: Response) -> Shown:
 
     grows, known, digits = found.growth > 0, found.thresholds, found.digits
     names = {"regime": found.regime.name.lower().replace("_", "-"), "sentence": found.regime.value}
-    record: dict[str, Any] = {**names, "attraction": found.attraction, "digits": digits}
+    record: dict[str, Any] = {**names, "attraction": found.attraction}
     lines = [f"{found.regime.value}; {found.attraction}"]
     if known is not None:
         record |= {} if grows else {"slips_for_ever": _slips_for_ever(found)}
@@ -94,7 +105,7 @@ def _of_rotating(found: RotatingResponse) -> Shown:
     vectors = {name: getattr(found, name) for name in ("friction", "q1", "v1", "v2")}
     parts = {"along": attrgetter("real"), "across": attrgetter("imag")}
     values = {f"{name}_{way}": part(one) for name, one in vectors.items() for way, part in parts.items()}
-    record: dict[str, Any] = {name: getattr(found, name) for name in ("sentence", "attracts", "digits")}
+    record: dict[str, Any] = {name: getattr(found, name) for name in ("sentence", "attracts")}
     record |= numbers(found, "threshold", "speed", **values)
     exponents = [acb(one.real.mid(), 0 if one.imag.contains(0) else one.imag.mid()) for one in found.exponents]
     record["exponents"] = [
@@ -108,15 +119,10 @@ def _of_rotating(found: RotatingResponse) -> Shown:
 
 def print_tracking(options: argparse.Namespace) -> int:
     """Print the friction that a reference requires, and write the force that makes body 2 follow it, as a scene."""
-    from numerics.control.answers import solved_again
-    from numerics.control.tracking import track
     from numerics.scene.decimals import decimal_text
-    from numerics.scene.file import load_line, load_reference
+    from numerics.scene.file import load_reference
 
-    scene = load_line(options.scene)
-    found = track(scene, load_reference(options.reference), **asked(options))
-    solved_again(found)
-    draw(options, "draw_tracking", found, scene.pair)
+    scene, found = _ask(options, "track", load_reference(options.reference))
     demands, lines = [], []
     for one in found.demands:
         excess = None if one.possible else one.too_much
@@ -133,23 +139,26 @@ def print_tracking(options: argparse.Namespace) -> int:
         )
     record = {"possible": found.scene is not None, "demands": demands, "force_error": f"{found.force_error:.1e}"}
     otherwise = "no force makes body 2 follow: a piece requires more than friction can give"
-    return _plan(options, found.scene, (record | {"digits": found.digits}, lines), otherwise)
+    return _plan(options, found, (record, lines), otherwise, scene.pair)
 
 
 def print_transfer(options: argparse.Namespace) -> int:
-    """Print the transfer from rest to rest with the least time or energy, and write its force as a scene."""
-    from numerics.control.answers import solved_again
-    from numerics.control.transfer import TransferKind, fastest_transfer
-    from numerics.scene.file import load_line
-
+    """Print the transfer from rest to rest with the least time, energy or peak, and write its force as a scene."""
     if (options.least == "time") is (options.time is not None):
         return refuse("--least energy or peak and --time go together; leave both out for the least time", USAGE)
-    if options.time is not None:
-        return _cheapest(options)
-    found = fastest_transfer(load_line(options.scene), options.distance, **asked(options, "amplitude", "margin"))
-    solved = solved_again(found)
-    if solved is not None:
-        draw(options, "draw_transfer", found, solved)
+    if options.time is None:
+        _, found = _ask(options, "fastest_transfer", options.distance, names="amplitude margin")
+        shown, otherwise = _of_fastest(found), "no transfer is given: the minimum time at this amplitude is not known"
+        return _plan(options, found, shown, otherwise)
+    if options.amplitude is not None:
+        return refuse("--amplitude is for the least time; leave it out with --least energy or peak", USAGE)
+    _, found = _ask(options, "cheapest_transfer", options.distance, options.time, names="least margin")
+    return _plan(options, found, _of_cheapest(found, options.least))
+
+
+def _of_fastest(found: Any) -> Shown:
+    from numerics.control.transfer import TransferKind
+
     shown = numbers(found, "bound", "time", "stuck_amplitude", "least_amplitude")
     lines = [f"{found.road.value}; {found.fastest}" if found.scene else found.fastest, *number_lines(shown)]
     if found.road is TransferKind.SLIP:
@@ -158,42 +167,33 @@ def print_transfer(options: argparse.Namespace) -> int:
     elif found.road is TransferKind.STUCK and found.margin == 0:
         lines.append("friction is at its limit to within 10^-18, as the times are decimals; --margin avoids this")
     road = found.road.name.lower().replace("_", "-")
-    record = {"road": road, "sentence": found.road.value, "fastest": found.fastest, **shown, "digits": found.digits}
-    return _plan(
-        options, found.scene, (record, lines), "no transfer is given: the minimum time at this amplitude is not known"
-    )
+    return {"road": road, "sentence": found.road.value, "fastest": found.fastest, **shown}, lines
 
 
-def _cheapest(options: argparse.Namespace) -> int:
-    """Print the transfer with the least int u^2 dt or max |u| in a time."""
-    from numerics.control.answers import solved_again
-    from numerics.control.cheapest import cheapest_transfer
+def _of_cheapest(found: Any, least: str) -> Shown:
     from numerics.scene.decimals import decimal_text
-    from numerics.scene.file import load_line
 
-    if options.amplitude is not None:
-        return refuse("--amplitude is for the least time; leave it out with --least energy or peak", USAGE)
-    given = asked(options, "least", "margin")
-    found = cheapest_transfer(load_line(options.scene), options.distance, options.time, **given)
-    draw(options, "draw_transfer", found, solved_again(found))
-    shown = numbers(found, "bound", "time", **{options.least: found.cost, f"least_{options.least}": found.least_cost})
+    shown = numbers(found, "bound", "time", **{least: found.cost, f"least_{least}": found.least_cost})
     limit = "at its limit, or the margin, for a part of the time" if found.is_at_limit else "below its limit"
     holds = decimal_text(found.holding_force)
     record = {"sentence": found.road.value, **shown, "is_at_limit": found.is_at_limit, "holding_force": holds}
     lines = [found.road.value, *number_lines(shown), f"friction is {limit}"]
     lines.append(f"afterwards, and counted in neither number, the force a2 D = {holds} N holds the pair there")
-    return _plan(options, found.scene, (record | {"digits": found.digits}, lines), "")
+    return record, lines
 
 
-def _plan(options: argparse.Namespace, scene: Scene | None, shown: Shown, otherwise: str) -> int:
-    """Print what is found, and write or print its scene; FAILED with a sentence if there is none."""
+def _plan(options: argparse.Namespace, found: Any, shown: Shown, otherwise: str = "", *pair: Any) -> int:
+    """Solve a plan again, draw and print it, and write or print its scene; FAILED with a sentence if there is none."""
+    from numerics.control.answers import solved_again
     from numerics.scene.file import scene_text
 
-    record, lines = shown
-    text = "" if scene is None else scene_text(scene)
+    solved, (record, lines) = solved_again(found), shown
+    if pair or solved is not None:
+        draw(options, "draw_tracking" if pair else "draw_transfer", found, *(pair or (solved,)))
+    text = "" if found.scene is None else scene_text(found.scene)
     if text and options.out is None:
         lines = [f"# {line}" for line in lines]  # all of it is a scene file then
-    answer(options, record | {"scene": text} if text else record, lines)
+    answer(options, record | {"digits": found.digits} | ({"scene": text} if text else {}), lines)
     if not text:
         return refuse(otherwise, FAILED)
     if options.out is not None:
@@ -205,46 +205,34 @@ def _plan(options: argparse.Namespace, scene: Scene | None, shown: Shown, otherw
 
 def print_ring(options: argparse.Namespace) -> int:
     """Print the time from which on the relative motion of a scene stays inside its tolerance ring."""
-    from numerics.control.ring import ring_entry
-    from numerics.scene.file import load_line
-
-    with shown_steps():
-        found = ring_entry(load_line(options.scene), options.radius, **asked(options, "rate"))
+    _, found = _ask(options, "ring_entry", options.radius, names="rate")
     draw(options, "draw_ring", found)
     shown = numbers(found, "entry", "centre")
     around, less = ("limit", "") if found.orbit is None else ("periodic motion", " minus that of the periodic motion")
+    lines = number_lines(shown, centre=f"its centre, the limit of x1 - x2{less},")
     record = {**shown, "around": around, "why": found.why, "digits": found.digits}
-    lines = [
-        *number_lines(shown, centre=f"its centre, the limit of x1 - x2{less},"),
-        f"{found.why}; {found.digits} right digits, proved",
-    ]
-    answer(options, record, lines)
+    answer(options, record, [*lines, f"{found.why}; {found.digits} right digits, proved"])
     return OK
 
 
 def print_damping(options: argparse.Namespace) -> int:
     """Print when a free pair sticks permanently, when it rests, and the damper that is best for that."""
-    from numerics.control.damping import damping
     from numerics.scene.decimals import decimal_text
-    from numerics.scene.file import load_line
 
-    with shown_steps():
-        found = damping(load_line(options.scene), **asked(options, "tolerance"))
+    _, found = _ask(options, "damping", options.tolerance)
     draw(options, "draw_damping", found)
-    best = "" if found.best is None else decimal_text(found.best)
-    record: dict[str, Any] = {"own": found.own, "best": found.at_best, "heavy": found.heavy}
+    best, tried = "" if found.best is None else decimal_text(found.best), f"{len(found.sampled)} that were tried"
+    record: dict[str, Any] = {}
     lines = []
-    for name, said in (
-        ("own", "with the damper of the scene:"),
-        ("best", f"with a1 = {best} N s/m, the best for rest of {len(found.sampled)} that were tried:"),
-        ("heavy", "as a1 grows without bound:"),
+    for name, times, said in (
+        ("own", found.own, "with the damper of the scene:"),
+        ("best", found.at_best, f"with a1 = {best} N s/m, the best for rest of {tried}:"),
+        ("heavy", found.heavy, "as a1 grows without bound:"),
     ):
-        if record[name] is not None:
-            record[name] = numbers(found, **record[name]._asdict())
+        record[name] = None if times is None else numbers(found, **times._asdict())
+        if times is None:
+            lines.append(f"no damper of {tried} is better for rest than the limit as a1 grows without bound")
+        else:
             lines += [said, *number_lines(record[name])]
-        elif name == "best":
-            tried = f"no damper of {len(found.sampled)} that were tried"
-            lines.append(f"{tried} is better for rest than the limit as a1 grows without bound")
-    record |= {"a1": best or None, "digits": found.digits}
-    answer(options, record, [*lines, f"{found.digits} right digits, proved; that no other damper is better is not"])
-    return OK
+    record |= {"a1": best or None}
+    return _print(options, found, (record, lines), "; that no other damper is better is not")

@@ -13,7 +13,6 @@ on the search: the bound is computed from the force that it finds, in balls.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -26,7 +25,7 @@ from numerics.errors import NotSettled
 from numerics.scene import Pair, Piece
 from numerics.scene.decimals import short
 
-_NEWTON, _MOST_PARTS, _TERMS, _CHECKS, _LEAST_STEP = 12, 1000, 40, 8, 0.9999
+_NEWTON, _MOST_PARTS, _TERMS, _CHECKS, _LEAST_STEP = 12, 1000, 39, 8, 0.9999
 _LITTLE = Fraction(1, 10**20)
 """By this part the force stays below the limit of friction, so that the bodies stick beyond doubt."""
 
@@ -35,7 +34,7 @@ class Motion(NamedTuple):
     """The motion from rest with given q(0) and r(0).
 
     `parts`: its force by pieces, each with the side, 1, 0 or -1, on which its acceleration is at the limit; `ends`:
-    (x, v, q, r) at T and the derivatives by q(0), r(0) and the limit; `largest`: |a| before it is cut off, m/s^2.
+    (x, v, q, r, limit) at T, its derivatives by q(0), r(0) and the limit; `largest`: |a| before it is cut off, m/s^2.
     """
 
     q: arb
@@ -56,7 +55,10 @@ class Search:
     def __init__(self, pair: Pair, far: Fraction, until: Fraction) -> None:
         """Take the numbers in the arithmetic of the context."""
         self.mass, self.far, self.until = number(pair.mass), number(far), until
-        self.c, self.k = number(pair.a1 / pair.mass), number(pair.a2 / pair.mass)
+        self.c, self.k = c, k = number(pair.a1 / pair.mass), number(pair.a2 / pair.mass)
+        self.free = arb_mat([[0, 1, 0, 0, 0], [-k, -c, 0, 0, 0], [0, 0, 0, 1, 0], [0] * 5, [0] * 5])
+        self.gain, self.of_a = arb_mat([[0], [1], [-c], [k], [0]]), arb_mat([[-k, -c, -1, 0, 0]])
+        """z' = free z + gain u/M of z = (x, v, q, r, limit); the row of a before it is cut off."""
         cause, remedy = "", ""
         if pair.a1:
             cause, remedy = f", or the damper a1 = {short(pair.a1)} N s/m too strong", " or a weaker damper"
@@ -65,24 +67,17 @@ class Search:
             f"{cause}; give another time{remedy}"
         )
 
-    def series(self, state: Sequence[arb], limit: arb | None) -> list[arb_poly]:
-        """Return the Taylor polynomials of x, v, q, r, of a before it is cut off, and of u/M; a is `limit` if given."""
-        terms = []
-        for k in range(1, _TERMS):
-            x, v, q, r = state
-            pull = self.c * v + self.k * x
-            a, limit = (-q - pull, None) if limit is None else (limit, arb(0))
-            terms.append((*state, -q - pull, a + pull))
-            state = [one / k for one in (v, a, r - self.c * (a + pull), self.k * (a + pull))]
-        return [arb_poly(list(one)) for one in zip(*terms, strict=True)]
-
     def follow(self, q: arb, r: arb, limit: arb) -> Motion:
         """Return the motion whose acceleration is cut off at a limit."""
         start, side, parts, largest = arb(0), 0, list[tuple[Piece, int]](), arb(0)
-        ends = [[arb(one) for one in row] for row in ((0, 0, q, r), (0, 0, 1, 0), (0, 0, 0, 1), (0, 0, 0, 0))]
+        ends = arb_mat([[0] * 4, [0] * 4, [q, 1, 0, 0], [r, 0, 1, 0], [limit, 0, 0, 1]])
         while (left := (number(self.until) - start).mid()) > number(self.until * _LITTLE**2):
             step = left.min((1 / (self.k.sqrt() + self.c)).mid())
-            *_, a, u = self.series(ends[0], side * limit if side else None)
+            of_u = arb_mat([[self.k, self.c, 0, 0, side] if side else [0, 0, -1, 0, 0]])
+            A, terms = self.free + self.gain * of_u, [ends]
+            for k in range(1, _TERMS):
+                terms.append(A * terms[-1] / k)
+            u, a = (arb_poly([(row * one)[0, 0] for one in terms]) for row in (of_u, self.of_a))
             low = end = arb(0)
             for k in range(bool(parts), _CHECKS + 1):  # a part begins on its side
                 low, end = end, (step * k / _CHECKS).mid()
@@ -97,12 +92,11 @@ class Search:
                     end = end.mid().max(low).min(high)
             if end > 0:
                 parts.append((Piece(rounded(start), [rounded(self.mass * one) for one in u.coeffs()]), side))
-            for k, given in enumerate((side * limit, arb(0), arb(0), arb(side))):
-                ends[k] = [one(end).mid() for one in self.series(ends[k], given if side else None)[:4]]
+            ends = ((A * end).exp() * ends).mid()
             start, side = (start + end).mid(), then if side in (0, then) else 0
             if len(parts) > _MOST_PARTS:
                 raise self.not_found
-        return Motion(q, r, parts, ends, largest)
+        return Motion(q, r, parts, ends.transpose().tolist(), largest)
 
     def arrive(self, q: arb, r: arb, limit: arb) -> Motion:
         """Return the motion that arrives, from q(0), r(0) near its own."""
@@ -140,7 +134,7 @@ class Search:
         force has |v| <= V = sqrt(T int (u/M)^2), as the damper and the spring add no energy, and so
         int |a| <= V (1 + c T + k T^2).
         """
-        _, _, nu, mu = found.ends[0]
+        _, _, nu, mu, _ = found.ends[0]
         cost = lost = largest = once = twice = arb(0)  # S and int_t^T S at the end of a part
         until = self.until
         for piece, side in reversed(found.parts):

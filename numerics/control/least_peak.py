@@ -13,8 +13,7 @@ import flint
 from flint import arb
 
 from numerics.control.answers import number, rounded
-from numerics.control.thresholds import cosine_and_sine
-from numerics.control.transfer import pushed
+from numerics.control.thresholds import pushed
 from numerics.scene import Pair, Piece
 
 
@@ -23,9 +22,9 @@ class Switched:
 
     def __init__(self, pair: Pair, until: Fraction) -> None:
         """Take the stuck pair as one body, and the time."""
-        self.pair, self.T = Pair(pair.mass, 1, pair.a2, 1, pair.a1), number(until)
-        self.square = pair.a2 / pair.mass - (pair.a1 / (2 * pair.mass)) ** 2
-        self.every = arb.pi() / number(self.square).sqrt() if self.square > 0 else self.T
+        self.T, self.push = number(until), pushed(Pair(pair.mass, 1, pair.a2, 1, pair.a1))
+        square = pair.a2 / pair.mass - (pair.a1 / (2 * pair.mass)) ** 2
+        self.every = arb.pi() / number(square).sqrt() if square > 0 else self.T
 
     def turns(self, s: arb) -> list[arb]:
         """Return when the sign changes, s."""
@@ -34,18 +33,17 @@ class Switched:
 
     def ends(self, s: arb) -> tuple[arb, arb]:
         """Return x1 and v1 at T, m and m/s."""
-        x, v, _ = pushed(self.pair, self.T)
+        x, v, _ = self.push(self.T)
         for k, t in enumerate(self.turns(s)):
-            place, speed, _ = pushed(self.pair, self.T - t)
+            place, speed, _ = self.push(self.T - t)
             x, v = x - 2 * (-1) ** k * place, v - 2 * (-1) ** k * speed
         return x, v
 
     def bound(self, far: Fraction, s: arb) -> arb:
         """Return a lower bound on max |u| of all forces that arrive, N: the w of s has |mu| D = U int |w| at least."""
         x, v = self.ends(s)
-        C, S = cosine_and_sine(self.square, self.T - s)
-        mu = number(self.pair.m1) * C - number(self.pair.a1) * S / 2
-        return abs(mu * number(far) / (mu * x - number(self.pair.m1) * S * v))
+        _, g, slope = self.push(self.T - s)  # w is g backwards in time from s: w = -g, mu = M g' at T
+        return abs(slope * number(far) / (slope * x - g * v))
 
 
 def least_peak(pair: Pair, far: Fraction, until: Fraction) -> tuple[list[Piece], arb, arb, bool]:

@@ -21,7 +21,7 @@ from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.control.answers import KEPT_DIGITS, number, rounded, rounded_up
 from numerics.errors import NotSettled
 from numerics.linear.model import V1, V2, X1
-from numerics.linear.system import LinearMode, Motion
+from numerics.linear.system import LinearMode, LocalNorm, Motion
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
@@ -59,6 +59,11 @@ class PeriodicDrive(ShortRepr):
     def is_odd(self) -> bool:
         """Return whether u - c changes its sign after half a period, c its constant part; exact."""
         return all((one.omega / self.frequency) % 2 == 1 for one in self.piece.sines)
+
+    @property
+    def norm(self) -> LocalNorm:
+        """Return N of differences of two motions, N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2, in the arithmetic's context."""
+        return LocalNorm(LinearMode.under(self.pair, 1, self.piece))
 
     @property
     def rest(self) -> Fraction:

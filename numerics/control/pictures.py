@@ -33,7 +33,7 @@ from numerics.trajectory.figures import (
 )
 from numerics.trajectory.trajectory import Trajectory
 
-_DIGITS, _POINTS = 16, 400
+_DIGITS, _POINTS = 40, 400
 _TOGETHER = 1e-12
 """Velocities that are the same to so many parts count as one: a force in decimals leaves 10^-20 of a slip."""
 REGIME_COLOURS = {

@@ -26,7 +26,7 @@ from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.arithmetic.precision import precision
 from numerics.control.answers import most_digits, number
-from numerics.control.attraction import energy_norm, slide_left, speed_bound
+from numerics.control.attraction import slide_left
 from numerics.control.orbit import Orbit, Passage, PeriodicDrive, passages
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
@@ -168,7 +168,7 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
     the motion stays within `near` of the limit (m, and m/s) is `since`. While more can still slide than that is
     sharp and the balls of both motions are apart, a later horizon is sharper: None.
     """
-    parts, pair, period = passages(trajectory), orbit.drive.pair, orbit.drive.period
+    parts, norm, period = passages(trajectory), orbit.drive.norm, orbit.drive.period
     end, limit, since = number(trajectory.scene.until), None, None
     for back in range(int(float(end / period)) if trajectory.reached else 0):
         t = (end - back * period).mid()
@@ -178,7 +178,7 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
             if [one.side for one in here] != [there.side]:
                 break
             apart = [a - b for a, b in zip(here[0].at(t), there.at(t), strict=True)]
-            reach = energy_norm(pair, apart)
+            reach = norm.of(apart)
             left = slide_left(orbit, t, reach)
         except EventUndecided:
             break
@@ -187,7 +187,7 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
             if not left <= limit.rad() and not all(apart[k].contains(0) for k in (0, 1, 3)):
                 return None
             limit += arb(0, left)
-        if not left.max(speed_bound(pair) * reach) < near:
+        if not left.max(norm.kappa * reach) < near:
             break
         since = t
     if limit is None or since is None:

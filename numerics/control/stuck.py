@@ -14,8 +14,8 @@ from flint import acb, arb
 from numerics.arithmetic.ball import proved_sign, working_digits
 from numerics.control.answers import number
 from numerics.control.orbit import PeriodicDrive
-from numerics.control.peak import largest_size
 from numerics.control.thresholds import Thresholds, impedance, load_margin
+from numerics.scene.largest import largest_size
 
 
 def stuck_motion(drive: PeriodicDrive, t: arb | int = 0, mass: Fraction | None = None) -> list[arb] | None:

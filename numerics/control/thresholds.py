@@ -9,16 +9,17 @@ v1 = v2 = -beta T/4 where a slip of sign + starts; the square wave of friction a
 and U supplies the rest of the velocity, V = b (pi/(2 m2 omega) - h'), and of the acceleration, which must be at least
 beta: A = (b/m1) (M/m2 - a2 h - a1 h'). From there on
 
-    w = e^(-lambda t) (-b h' C(t) - k S(t)) - beta (t - T/4) - V cos(omega t) + R sin(omega t)
+    w = -m1 b h' g'(t) - b (1 - a2 h) g(t) - beta (t - T/4) - V cos(omega t) + R sin(omega t)
 
-with k = (b - a2 b h)/m1 - lambda b h', R^2 = (U omega/Z(m1))^2 - V^2, C(t) = cos(omegad t) and S(t) =
-sin(omegad t)/omegad. It is a motion exactly if U >= U** and w > 0 for 0 < t < T/2. There w rises with R, so the second
-condition, too, holds from some amplitude on: from U** on for a1 = 0 and omega > omega1.
+with g the impulse response of body 1, R^2 = (U omega/Z(m1))^2 - V^2. It is a motion exactly if U >= U** and w > 0 for
+0 < t < T/2. There w rises with R, so the second condition, too, holds from some amplitude on: from U** on for a1 = 0,
+omega > omega1.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -166,15 +167,12 @@ class NonStop:
 
     def __init__(self, pair: Pair, omega: Fraction) -> None:
         """Enclose what w consists of, in the arithmetic's context."""
-        half_rate = pair.a1 / (2 * pair.m1)
-        b, self.omega, self.decay = number(pair.b), number(omega), number(half_rate)
-        self.half, self.beta = arb.pi() / self.omega, number(pair.b / pair.m2)
-        self.squared, self.reach = pair.a2 / pair.m1 - half_rate**2, abs(impedance(pair, pair.m1, omega)) / self.omega
+        b, self.omega, self.beta = number(pair.b), number(omega), number(pair.b / pair.m2)
+        self.push, self.half = pushed(pair), arb.pi() / self.omega
         place, speed = square_wave_response(pair, self.omega)
-        inner = (b - number(pair.a2) * b * place) / number(pair.m1)
-        self.V, self.square = self.beta * self.half / 2 - b * speed, -b * speed
-        self.swing = inner + self.decay * self.square
-        self.least = (inner + self.beta + 2 * self.decay * self.square) / self.omega
+        self.momentum, self.held = -number(pair.m1) * b * speed, b * (1 - number(pair.a2) * place)
+        self.V, self.reach = self.beta * self.half / 2 - b * speed, abs(impedance(pair, pair.m1, omega)) / self.omega
+        self.least = (self.beta + (self.held - number(pair.a1) * b * speed) / number(pair.m1)) / self.omega
 
     def amplitude(self, R: arb) -> arb:
         """Return the U to which an R belongs, N."""
@@ -182,30 +180,34 @@ class NonStop:
 
     def relative(self, t: arb) -> arb:
         """Return w for R = 0 at a time since the reversal (s), m/s."""
-        C, S = cosine_and_sine(self.squared, t)
-        fading = (-self.decay * t).exp() * (self.square * C - self.swing * S)
+        _, g, slope = self.push(t)
+        fading = self.momentum * slope - self.held * g
         return fading - self.beta * (t - self.half / 2) - self.V * (self.omega * t).cos()
 
 
 def square_wave_response(pair: Pair, omega: arb) -> tuple[arb, arb]:
-    """Return h (m/N) and h' (m/(N s)): where a square wave of +-1 N has m1 x'' + a1 x' + a2 x when it turns to +1."""
-    half = arb.pi() / omega
-    decay = number(pair.a1 / (2 * pair.m1)) * half
-    cosine, sine = cosine_and_sine(pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2, half / 2)
-    # D = cosh + cos, and sin(omegad T/2)/omegad, by half angles: next to D = 0 nothing cancels
-    rise = (decay / 2).sinh()
-    below = 2 * (rise * rise + cosine * cosine)
-    sine_over_rate = 2 * sine * cosine
-    place = -(decay.sinh() - decay / half * sine_over_rate) / (number(pair.a2) * below)
-    return place, -sine_over_rate / (number(pair.m1) * below)
+    """Return h (m/N) and h' (m/(N s)): where a square wave of +-1 N has m1 x'' + a1 x' + a2 x when it turns to +1.
+
+    After half a period, in which 1 N pushes, both have the opposite sign.
+    """
+    m1, (x, g, slope) = number(pair.m1), pushed(pair)(arb.pi() / omega)
+    turned = 1 + m1 * slope
+    below = turned * (turned + number(pair.a1) * g) + number(pair.a2) * m1 * g * g
+    return (m1 * g * g - turned * x) / below, -2 * g / below
 
 
-def cosine_and_sine(squared_rate: Fraction, time: arb) -> tuple[arb, arb]:
-    """Return cos(rate t) and sin(rate t)/rate for rate^2 of any sign: light, critical and heavy damping."""
-    if squared_rate == 0:
-        return arb(1), time
-    rate = number(abs(squared_rate)).sqrt()
-    angle = rate * time
-    if squared_rate > 0:
-        return angle.cos(), angle.sin() / rate
-    return angle.cosh(), angle.sinh() / rate
+def pushed(pair: Pair) -> Callable[[arb], tuple[arb, arb, arb]]:
+    """Return at a time (s): where body 1 alone is under 1 N from rest, its velocity g, and g'; in present digits."""
+    decay = pair.a1 / (2 * pair.m1)
+    squared, m1, a2 = pair.a2 / pair.m1 - decay**2, number(pair.m1), number(pair.a2)
+    rate, fading = number(abs(squared)).sqrt(), number(decay)
+
+    def at(t: arb) -> tuple[arb, arb, arb]:
+        angle, C, S = rate * t, arb(1), t  # critical damping
+        if squared:
+            S, C = angle.sin_cos() if squared > 0 else angle.sinh_cosh()
+            S /= rate
+        left, back = (-fading * t).exp(), fading * S
+        return (1 - left * (C + back)) / a2, left * S / m1, left * (C - back) / m1
+
+    return at

@@ -15,15 +15,13 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
 from itertools import pairwise
 
-from flint import arb, arb_poly
+from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.control.answers import number, rounded
-from numerics.control.peak import largest_size
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.polynomial_root import first_crossing
@@ -31,6 +29,7 @@ from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import force_form
 from numerics.scene import Force, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import require_digits, short
+from numerics.scene.largest import largest_size, over
 from numerics.scene.model import require_plain
 from numerics.scene.short_repr import ShortRepr
 
@@ -99,7 +98,7 @@ class Tracking(ShortRepr):
 
     def goal(self, scene: Scene) -> tuple[arb, arb]:
         """Return where body 2 is to be at the horizon of its scene, and the size beside which an error counts, m."""
-        place = over(Force(self.reference).piece_at(scene.until), number(scene.until))
+        place = over(Force(self.reference).piece_at(scene.until))(number(scene.until))
         return place, abs(place).max(arb(1))
 
 
@@ -165,7 +164,7 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
 
 def _demand(m2: Fraction, index: int, piece: ExactPiece, digits: int) -> Demand:
     bend, limit, end = acceleration(piece), piece.b / m2, piece.start + piece.length
-    peak, where = largest_size(partial(over, bend), number(piece.start), number(end), digits)
+    peak, where = largest_size(over(bend), number(piece.start), number(end), digits)
     possible = is_within(bend, limit, piece.length)
     if possible is None:
         possible = proved_sign(number(limit) - peak, "is the acceleration within the limit of friction?") >= 0
@@ -190,16 +189,6 @@ def stuck_force(pair: Pair, path: Force) -> Force:
         sines = [Sine(sine.omega * sine.amplitude, sine.omega, sine.phase + quarter) for sine in one.sines]
         velocity.append(Piece(one.start, [k * c for k, c in enumerate(one.polynomial)][1:], sines))
     return pair.a2 * path + pair.a1 * Force(velocity) + pair.mass * Force(map(acceleration, path.pieces))
-
-
-def over(piece: Piece, t: arb, order: int = 0) -> arb:
-    """Return an enclosure of a derivative of a piece over a ball of times (s)."""
-    terms = [math.perm(k, order) * c for k, c in enumerate(piece.polynomial)][order:]
-    total = arb_poly(list(map(number, terms)))(t - number(piece.start))
-    for one in piece.sines:
-        turned = number(one.omega) * t + number(one.phase) + order * arb.pi() / 2
-        total += number(one.amplitude * one.omega**order) * turned.sin()
-    return total
 
 
 def is_within(piece: Piece, limit: Fraction, length: Fraction) -> bool | None:

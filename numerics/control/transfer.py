@@ -29,7 +29,7 @@ from numerics.control.answers import (
     rounded,
     rounded_up,
 )
-from numerics.control.thresholds import cosine_and_sine
+from numerics.control.thresholds import pushed
 from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Pair, Piece, Scene
@@ -194,18 +194,10 @@ def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
     tau, squared = number(pair.m2 * far / pair.b).sqrt(), pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2
     if squared > 0 and number(squared).sqrt() * tau > arb.pi() / 2:
         return None  # g' first vanishes at tan(omegad t) = omegad/decay, before a quarter turn
-    _, g, slope = pushed(pair, tau)
+    _, g, slope = pushed(pair)(tau)
     if proved_sign(slope, "does body 1 still run ahead at half time?") < 0:
         return None
     return number(pair.b) + number(pair.b / pair.m2) * tau / g
-
-
-def pushed(pair: Pair, t: arb) -> tuple[arb, arb, arb]:
-    """Return where body 1 alone is under 1 N from rest at a time (s), its velocity g, and g'."""
-    decay = pair.a1 / (2 * pair.m1)
-    C, S = cosine_and_sine(pair.a2 / pair.m1 - decay**2, t)
-    left, back = (-number(decay) * t).exp(), number(decay) * S
-    return (1 - left * (C + back)) / number(pair.a2), left * S / number(pair.m1), left * (C - back) / number(pair.m1)
 
 
 def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
@@ -231,7 +223,7 @@ def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> C
     slow = (1 - _MET) * beta
     tau = rounded(number(2 * far * slow / (beta * (slow + beta))).sqrt(), TIME_DIGITS)
     push = min(most, rounded_up(least * number(1 + _MET), TIME_DIGITS))
-    x, v = rounded(number(push - pair.b) * pushed(pair, number(tau))[0]), beta * tau
+    x, v = rounded(number(push - pair.b) * pushed(pair)(number(tau))[0]), beta * tau
     end = x + v**2 / (2 * slow)
     if pair.a2 * end > most:
         return None

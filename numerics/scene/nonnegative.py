@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import comb
-from typing import Any
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import short
 from numerics.scene.friction import Friction
 from numerics.scene.pieces import Piece
 
-_MOST, _SMALLEST = 100_000, 2.0**-40
-"""Intervals times sines, and the smallest part of a piece that is looked at."""
+_DIGITS = 14
+"""To which the least value is looked for, at whatever precision flint has."""
 
 
 def require_nonnegative(friction: Friction, until: Fraction) -> None:
@@ -35,37 +34,20 @@ def least_of(polynomial: tuple[Fraction, ...], length: Fraction) -> Fraction:
 
 
 def _prove_in_balls(piece: Piece, length: Fraction) -> None:
-    """Prove it for some time from the start of a piece, at whatever precision flint has.
-
-    On an interval, b is at least its value in the middle less what its slope takes up to the ends.
-    """
-    from flint import arb, arb_poly, fmpq  # which most scenes do not need
-
-    def ball(value: Fraction) -> Any:
-        return arb(fmpq(value.numerator, value.denominator))
+    """Prove it for some time from the start of a piece: what b falls short of a number above it is at most that."""
+    from numerics.scene.largest import ball, largest_size, over  # flint, which most scenes do not need
 
     if piece.frequency:
         length = min(length, 7 / piece.frequency)  # more than a period
-    b = arb_poly([ball(c) for c in piece.polynomial])
-    waves = [(ball(s.amplitude), ball(s.omega), ball(s.omega * piece.start + s.phase)) for s in piece.sines]
-    todo = [(0.0, 1.0)]
-    for _ in range(_MOST // (1 + len(waves))):
-        left, width = todo.pop()
-        half = width / 2
-        middle, reach = ball(length) * (left + half), ball(length) * half
-        around = arb(middle, reach)
-        value = b(middle) + sum(size * (omega * middle + phase).sin() for size, omega, phase in waves)
-        slope = b.derivative()(around) + sum(
-            size * omega * (omega * around + phase).cos() for size, omega, phase in waves
-        )
-        if not value - abs(slope) * reach >= 0:
-            if value < 0 or half < _SMALLEST:
-                break
-            todo += [(left + half, half), (left, half)]
-        if not todo:
-            return
-    at = float(middle + ball(piece.start))
+    above = sum((abs(c) * length**k for k, c in enumerate(piece.polynomial)), Fraction(0))
+    begin, most = ball(piece.start), ball(above + sum(abs(one.amplitude) for one in piece.sines))
+    b = over(piece)
+    short_of, at = largest_size(
+        lambda t, order: most * (not order) - b(t, order), begin, begin + ball(length), _DIGITS, most
+    )
+    if short_of <= most:
+        return
     raise InvalidScene(
-        f"friction from t = {short(piece.start)} s: b(t) >= 0 is not proved at t = {at:.6g} s, where b = "
-        f"{float(value):.3g} N; raise its constant, or begin a piece where it touches 0"
+        f"friction from t = {short(piece.start)} s: b(t) >= 0 is not proved at t = {float(at):.6g} s, where b = "
+        f"{float(most - short_of):.3g} N; raise its constant, or begin a piece where it touches 0"
     )

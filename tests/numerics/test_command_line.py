@@ -128,6 +128,12 @@ move velocities --distance 1 | v1=0.15
 move forced-step --distance 1 | computes its own force
 move start-at-6mm-literal --distance 1
 move at-rest --distance 1 --out no/where.toml
+move at-rest --distance 0.01 --least energy | --least energy or peak and --time go together
+move at-rest --distance 0.01 --time 1 | --least energy or peak and --time go together
+move at-rest --distance 0.01 --least energy --time 1 --amplitude 1 | --amplitude is for the least time
+move at-rest --distance 0.01 --least energy --time 0.1 | as no transfer is faster; give more time
+damping at-rest --tolerance -1e-3 | must be
+energy velocities --at -1e2 | must be
 track at-rest --reference none-such
 track at-rest --reference s-curve --plot x.txt
 ring velocities --radius x | radius

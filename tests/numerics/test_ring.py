@@ -26,7 +26,6 @@ from numerics import (
 )
 from numerics.arithmetic.ball import Ball
 from numerics.control import ring as rings
-from numerics.control.attraction import energy_norm, speed_bound
 from numerics.control.orbit import Orbit
 from numerics.control.pictures import draw_ring
 from numerics.control.ring import Settled, periodic_settled
@@ -157,7 +156,7 @@ def test_since_is_the_first_period_that_is_proved_to_stay_as_near_as_asked(monke
         for k in range(-1, 6):
             t = (since + k * orbit.drive.period).mid()
             off = [a - b for a, b in zip(run.sol(t), orbit.passage_at(t).at(t), strict=True)]
-            apart.append(float(speed_bound(FAST.pair) * energy_norm(FAST.pair, off)))
+            apart.append(float(orbit.drive.norm.kappa * orbit.drive.norm.of(off)))
     assert apart[0] >= near > max(apart[1:])
 
 

@@ -1,7 +1,6 @@
 """References that body 2 is to follow: the force against the independent reference, and what friction cannot do."""
 
 from fractions import Fraction
-from functools import partial
 
 import pytest
 from control_scenes import DAMPED, FREE, referred
@@ -12,9 +11,9 @@ from strategies import decimals
 
 from numerics import Friction, Pair, Piece, Scene, Sine, State, load_reference, load_scene
 from numerics.arithmetic.ball import Ball
-from numerics.control.peak import largest_size
 from numerics.control.pictures import draw_tracking
-from numerics.control.tracking import over, track
+from numerics.control.tracking import track
+from numerics.scene.largest import largest_size, over
 
 S_CURVE = (Piece(0, ["0.25", 0, "0.1"]), Piece(1, ["0.35", "0.2", 0, "-0.01"]), Piece(2, ["0.54", "0.17", "-0.03"]))
 
@@ -28,7 +27,7 @@ def test_body_2_follows_by_the_reference(pair, reference):
     run = referred(found.scene)
     assert not run.events
     with Ball(36).context():
-        goal = over(reference[-1], arb(3))
+        goal = over(reference[-1])(arb(3))
         assert abs(run.x2 - goal) < arb(10) ** -30
     assert draw_tracking(found, pair).axes
 
@@ -98,10 +97,11 @@ def test_the_limit_itself_can_be_followed_and_no_more(reference, until, b, possi
 def test_the_largest_size_bounds_samples_and_is_reached(coefficients, omega, amplitude):
     piece = Piece(0, [(-1) ** k * c for k, c in enumerate(coefficients)], [Sine(amplitude, omega)])
     with Ball(20).context():
-        peak, where = largest_size(partial(over, piece), arb(0), arb(2), 12)
-        samples = [abs(over(piece, Ball.number(Fraction(k, 50)))) for k in range(101)]
+        function = over(piece)
+        peak, where = largest_size(function, arb(0), arb(2), 12)
+        samples = [abs(function(Ball.number(Fraction(k, 50)))) for k in range(101)]
         assert all(not one > peak for one in samples)
-        there = abs(over(piece, where))
+        there = abs(function(where))
         assert there.overlaps(peak) or abs(there - peak) < peak * arb(10) ** -11
 
 
