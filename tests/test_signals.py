@@ -51,6 +51,12 @@ def test_without_friction_nothing_sticks_but_what_bears_no_load(load, modes):
     assert run(Scene(Pair(1, 2, 0, 0), State(v1=1, v2=1), 1, force=Force([Piece(0, load)]))).signs == modes
 
 
+@pytest.mark.parametrize("phase", ["1/3", "-1/3", -7])
+def test_a_sine_pushes_to_the_side_of_its_phase(phase):
+    push = Force([Piece(0, (), [Sine(1, 1, phase)])])
+    assert run(Scene(Pair(1, 1, 0, "0.01"), State(), "0.01", force=push)).signs == [1 if phase == "1/3" else -1]
+
+
 def test_a_belt_that_jumps_ends_a_stick_and_may_reverse_a_slip():
     belt = Force([Piece(0), Piece(1, ("0.5",)), Piece("1.01", ("-0.5",)), Piece("1.02", ("-0.5",), ())])
     found = run(Scene(Pair(1, "inf", 10, 1), State(), 2, belt=belt))
