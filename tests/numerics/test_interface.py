@@ -37,11 +37,15 @@ from numerics.scene.file import parse_scene
 # one place
 
 
-def test_everything_a_user_needs_is_in_one_place():
-    names = dir(numerics)
+def test_everything_a_user_needs_is_in_one_place_and_star_brings_it():
+    names, brought = dir(numerics), {}
     assert all(callable(getattr(numerics, name)) for name in names)
     assert solve(PAPER).success
     assert dir(numerics) == names  # what was imported since is not listed
+    exec("from numerics import *", brought)
+    assert set(brought) - {"__builtins__"} == set(names)
+    assert numerics.__version__
+    assert pickle.loads(pickle.dumps(solve)) is solve
 
 
 def test_help_begins_with_one_line_for_each_name():
@@ -56,23 +60,9 @@ def public(kind):
 
 
 CLASSES = [one for name in dir(numerics) if inspect.isclass(one := getattr(numerics, name))]
-FOR_THE_HOUSE = {
-    "but",
-    "columns",
-    "context",
-    "energy_of",
-    "event_rows",
-    "floats",
-    "frame",
-    "made",
-    "of",
-    "pieces",
-    "row",
-}
-FOR_THE_HOUSE |= {name for name in public(numerics.Trajectory) if name.startswith("row_")}
-FOR_THE_HOUSE |= {"require_filippov", "signs"}
-FOR_THE_HOUSE |= {"ARITHMETICS", "COLUMNS", "EVENT_COLUMNS", "FORMAT"}
-FOR_THE_HOUSE |= {"end_bounds", "end_numbers", "kept", "look_up_times", "restored"}
+INNER = """ARITHMETICS COLUMNS EVENT_COLUMNS FORMAT but columns context end_bounds end_numbers energy_of event_rows
+floats frame kept look_up_times made of pieces require_filippov restored row signs"""
+FOR_THE_HOUSE = {*INNER.split(), *(name for name in public(numerics.Trajectory) if name.startswith("row_"))}
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "guide.md").read_text("utf-8")
 
 
@@ -143,10 +133,6 @@ def test_a_number_out_of_range_is_named_also_without_a_critical_energy(pair):
     with pytest.raises(OutOfRange, match=r"v1 = 1e\+400 is beyond"):
         solve(scene, arithmetic="float64")
     assert solve(scene).arithmetic.name == "ball"
-
-
-def test_a_function_from_the_package_is_pickled():
-    assert pickle.loads(pickle.dumps(solve)) is solve
 
 
 # short texts of records, pictures and films
