@@ -128,11 +128,6 @@ def test_nothing_at_rest_is_known_exactly():
     assert solve(Scene(Pair(1, 1, 1, 1), State(), until=3), digits=14).arithmetic.name == "float64"
 
 
-def test_a_batch_reads_texts_as_a_scene_does():
-    read = solve_many(1, 1, 200, 0.5, v1=["1/3", " 0.1 ", Fraction(1, 7)], until=1).inputs["v1"]
-    assert read.tolist() == [1 / 3, 0.1, 1 / 7]
-
-
 def test_a_force_beyond_all_digits_is_refused_at_once():
     """It was tried over hundreds of periods at every precision: v2 is nothing beside v1 until these are as many."""
     scene = Scene(Pair(1, 1, 200, "0.5"), State(), 1)
