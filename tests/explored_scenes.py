@@ -36,9 +36,9 @@ LINES = (HERE / "explored.txt").read_text("utf-8").splitlines()
 SCENES = [scene_of(*line.split()) for line in LINES if line[0] != "#"]
 
 NAMES = """constant-force huge-omega mass-ratio-1e-6 mass-ratio-1e6 near-resonance-in-stick resonance-in-slip
-resonance-in-slip-damped resonance-in-stick sine-at-threshold sine-at-threshold-damped sine-barely-below-
-threshold sine-below-threshold sine-below-threshold-damped sine-just-above-threshold sine-just-below-
-threshold sine-non-stop sine-stick-slip"""
+resonance-in-slip-damped resonance-in-stick sine-at-threshold sine-at-threshold-damped
+sine-barely-below-threshold sine-below-threshold sine-below-threshold-damped sine-just-above-threshold
+sine-just-below-threshold sine-non-stop sine-stick-slip"""
 FORCED_NAMES = NAMES.split()
 """Scenes under a constant or a sine, with answers in 60 digits (tests/forced). Left out: forces of 1e9 b and more,
 where binary64 has few digits, and one that is above the threshold by 1e-20."""
