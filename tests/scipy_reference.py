@@ -98,6 +98,13 @@ class Acting:
         return found
 
 
+def note(events, t, mode, z):
+    """Keep an event. Raises Tie where it falls on the one before it, or on the start."""
+    if t - (events[-1][0] if events else 0.0) < NEXT_TO_NOTHING:
+        raise Tie
+    events.append((t, mode, list(z)))
+
+
 def follow(scene):
     """Return the first mode, the events (t, mode, state) and the state at the end. Raises Tie."""
     changes = {0, *(one.start for pieces in scene.pieces.values() for one in pieces)}
@@ -114,9 +121,7 @@ def follow(scene):
         if before is None:
             first = mode
         elif mode != before:
-            if t - (events[-1][0] if events else 0.0) < NEXT_TO_NOTHING:
-                raise Tie
-            events.append((t, mode, list(z)))
+            note(events, t, mode, z)
         while t < end:
             found = solve_ivp(acting.rate, (t, float(end)), z, events=acting.guards(mode), args=(mode,), **PRECISELY)
             t, z = float(found.t[-1]), list(found.y[:, -1])
@@ -127,9 +132,7 @@ def follow(scene):
                 mode = acting.after_contact(t, z)
             else:
                 mode = 1 if len(found.t_events[0]) else -1
-            if t - (events[-1][0] if events else 0.0) < NEXT_TO_NOTHING:
-                raise Tie
-            events.append((t, mode, list(z)))
+            note(events, t, mode, z)
     return first, events, z
 
 
