@@ -193,7 +193,7 @@ def brought(random: Random, **more: Any) -> Scene:
     if not pair.a1:
         signals["wall"] = force(random, of.half_width, omega, until)
     at = State(given.initial.x1, given.initial.v1, given.initial.x2, 0 if is_fixed else given.initial.v2)
-    chosen = {name: random.choice((Signal(), signal)) for name, signal in signals.items()}
+    chosen = {name: random.choice((Signal(), signal, signal)) for name, signal in signals.items()}
     b_of_t = random.choice((given.friction, varying(random, of.b, omega, until)))
     return Scene(pair, at, until, force=given.force, friction=b_of_t, **chosen)
 

@@ -61,13 +61,13 @@ def test_any_answer_obeys_the_law(kind):
 
 @pytest.mark.parametrize("kind", [*KINDS][:6])
 def test_events_and_states_are_those_of_another_integrator(kind):
-    reached = 0
-    for seed in range(24):
+    reached, seeds = 0, 96 if kind == "what people bring" else 24
+    for seed in range(seeds):
         scene = KINDS[kind](Random(seed), **MODERATE)
-        with suppress(Tie):
+        with suppress(Tie, EventUndecided):
             require(solve(scene, digits=12), follow(scene), 1e-8)
             reached += 1
-    assert reached > 12
+    assert reached > seeds / 2
 
 
 @pytest.mark.parametrize("scene", FOUND.values(), ids=FOUND)
