@@ -26,6 +26,7 @@ from numerics import (
     scene_text,
     solve,
 )
+from numerics.linear.enclosed import EnclosedRun
 from numerics.scene.file import parse_scene
 from numerics.trajectory.curve import sampled
 
@@ -91,6 +92,16 @@ def test_crossings_of_knots_are_no_events_and_everything_else_reads_the_run():
     curve = sampled(run)
     assert np.allclose(run.sol(curve.t[::37].tolist()).astype(float), curve.y[:, ::37], rtol=0, atol=1e-9)
     assert np.isclose(curve.lost[0, -1], float(run.ledger.friction), rtol=1e-4)  # a sum over what is drawn
+
+
+def test_a_knot_adds_to_the_errors_whether_friction_bends_up_or_down_behind_it(monkeypatch):
+    """@example of a sign: the bound where it bends down was subtracted."""
+    bounds, crossed = [], EnclosedRun.crossed
+    monkeypatch.setattr(EnclosedRun, "crossed", lambda *given: (found := crossed(*given), bounds.append(found[1]))[0])
+    weakening = Weakening(speed=[("0.02", "0.04"), ("0.1", "0.06")])
+    solve(Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 1, friction=Friction(weakening=weakening)), digits=15)
+    assert len(bounds) > 4
+    assert min(bounds) > 0
 
 
 def test_a_steep_fall_is_solved_and_what_runs_to_no_friction_is_refused():
