@@ -1,12 +1,14 @@
-"""Scenes and answers of numerics/control; both handed to the independent reference, which shares no equation."""
+"""Scenes and answers of numerics/control; both handed to the inclusion, which shares no equation with them."""
 
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, NamedTuple
 
 import numpy as np
-from forced_reference import Reference
+from flint import arb
+from inclusion import motion, solved
 
 from numerics import Force, Pair, Scene, State, response, solve
 from numerics.arithmetic.ball import Ball
@@ -30,12 +32,29 @@ def answer(pair: Pair, amplitude: str, omega: int = 12) -> Response:
     return response(under(pair, amplitude, omega))
 
 
-def referred(scene: Scene, digits: int = 36) -> Reference:
-    """The scene solved by the independent reference."""
-    return Reference(scene, digits).run()
+class Followed(NamedTuple):
+    """Events, each with its time and the sign of the mode after it, and mode and state at the end."""
+
+    events: list[Any]
+    mode: int
+    x1: arb
+    v1: arb
+    x2: arb
+    v2: arb
+
+    def state(self) -> tuple[arb, ...]:
+        return self[2:]
 
 
-def arrived(found: Any, distance: str, digits: int = 36) -> Reference:
+def referred(scene: Scene, digits: int = 60) -> Followed:
+    """The motion of a scene, in balls, found by the inclusion to be one, but for polynomials of high degree: slow."""
+    is_quick = all(len(piece.polynomial) < 9 for piece in scene.force.pieces)
+    run = (motion if is_quick else solved)(scene, digits=digits)
+    events = [SimpleNamespace(t=t, after=sign) for t, sign in zip(run.event_times, run.signs[1:], strict=True)]
+    return Followed(events, run.signs[-1], *run.final_state)
+
+
+def arrived(found: Any, distance: str, digits: int = 36) -> Followed:
     """The scene of a transfer from x2 = 0.25 m solved by the reference, which has it at rest at its goal."""
     run = referred(found.scene, digits)
     with Ball(36).context():

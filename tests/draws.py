@@ -169,12 +169,12 @@ def varying(random: Random, b: Fraction, omega: Fraction, until: Fraction) -> Fr
     return Friction(pieces)
 
 
-def brought(random: Random) -> Scene:
+def brought(random: Random, **more: Any) -> Scene:
     """Return a scene of what people bring.
 
     No spring, no contact, the ground or a belt, b_static, b(t), a push of body 2, a wall that moves.
     """
-    given = driven(random, 1)
+    given = driven(random, 1, **more)
     of, until, omega = given.pair, given.until, rate(given.pair.a2, given.pair.m1)
     speed = of.half_width * omega
     is_fixed, lies = random.choice((True, False)), random.choice((True, True, False))
@@ -193,7 +193,7 @@ def brought(random: Random) -> Scene:
     if not pair.a1:
         signals["wall"] = force(random, of.half_width, omega, until)
     at = State(given.initial.x1, given.initial.v1, given.initial.x2, 0 if is_fixed else given.initial.v2)
-    chosen = {name: random.choice((Signal(), signal)) for name, signal in signals.items()}
+    chosen = {name: random.choice((Signal(), signal, signal)) for name, signal in signals.items()}
     b_of_t = random.choice((given.friction, varying(random, of.b, omega, until)))
     return Scene(pair, at, until, force=given.force, friction=b_of_t, **chosen)
 

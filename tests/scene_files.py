@@ -4,8 +4,9 @@ from pathlib import Path
 
 from numerics import Scene, load_scene
 
+FOLDER = Path(__file__).parent / "scenes"
+
 
 def scenes_in(folder: str) -> dict[str, Scene]:
     """Return the scenes of a folder by their names."""
-    files = sorted((Path(__file__).parent / "scenes" / folder).glob("*.toml"))
-    return {path.stem: load_scene(path) for path in files}
+    return {path.stem: load_scene(path) for path in sorted((FOLDER / folder).glob("*.toml"))}

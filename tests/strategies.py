@@ -31,7 +31,8 @@ def drawn(draw: Callable[..., Any], *given: Any, **named: Any) -> st.SearchStrat
 
 
 decimals = partial(drawn, draws.decimal)
-"""Positive decimals of up to so many digits, the first at 10^low to 10^high."""
+"""Positive decimals of up to so many digits, four unless told, the first at 10^low to 10^high."""
+magnitudes = decimals
 pairs = partial(drawn, draws.pair)
 states = partial(drawn, draws.state)
 scenes = partial(drawn, draws.scene)
@@ -61,11 +62,6 @@ def signed(values: st.SearchStrategy[Fraction]) -> st.SearchStrategy[Fraction]:
 def driven_scenes() -> st.SearchStrategy[Scene]:
     """Scenes under a force whose size and speed are the pair's own, with friction by pieces."""
     return drawn(draws.driven)
-
-
-def magnitudes(low: int, high: int) -> st.SearchStrategy[Fraction]:
-    """Positive decimals of four digits, the first of them at 10^low to 10^high."""
-    return st.builds(lambda n, k: n * Fraction(10) ** (k - 3), st.integers(1000, 9999), st.integers(low, high))
 
 
 def starts_by_the_edge() -> st.SearchStrategy[Fraction]:
@@ -203,16 +199,6 @@ def sine_scenes(draw) -> tuple[Scene, Regime]:
         Regime.NON_STOP: high * (1 + part),
     }[regime]
     return Scene(pair, State(), until=1, force=Force.sine(amplitude, omega, draw(st.integers(-3, 3)))), regime
-
-
-KINDS = {
-    "free": scenes(),
-    "damped": scenes(damped=True),
-    "many cycles in one slip": long_slips(damped=None, turns=(0, 0)),
-    "next to E_cr": near_critical((3, 16)),
-    "the literal law": scenes(damped=None, law=Law.THREE_VALUED_SGN),
-    "driven": driven_scenes(),
-}
 
 
 reaches = st.sampled_from([0.3, 0.9, 1.0])

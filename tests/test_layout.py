@@ -154,29 +154,28 @@ OWN_PRECISION = {
 HELD = re.compile(r"\b(precision|series_terms|mpmath_precision|context|fine|terms)\(")
 
 
+SET = re.compile(
+    r"\.(?:prec|dps|cap)\b[^=()\n]*=(?!=)|\b(?:work|extra)(?:prec|dps)\b|functools import [^.]*cached_property"
+)
+
+
 def outside_the_lock(path: Path) -> list[str]:
     """Return where a file sets a precision, holds one across a `yield`, or takes a cached_property that locks."""
-    found, tree = [], ast.parse(path.read_text("utf-8"))
-    managers = {
-        inner
-        for one in ast.walk(tree)
+    text = path.read_text("utf-8")
+    nodes = [*ast.walk(ast.parse(text))]
+    managers = (
+        one
+        for one in nodes
         if isinstance(one, ast.FunctionDef) and "contextmanager" in map(ast.unparse, one.decorator_list)
-        for inner in ast.walk(one)
-    }
-    for one in ast.walk(tree):
-        if isinstance(one, ast.With) and one not in managers:
-            inner = (deep for statement in one.body for deep in ast.walk(statement))
-            if any(HELD.search(ast.unparse(item)) for item in one.items) and any(
-                isinstance(deep, ast.Yield | ast.YieldFrom) for deep in inner
-            ):
-                found.append(f"line {one.lineno}: yields within a precision")
-        elif isinstance(one, ast.Attribute) and one.attr in {"workprec", "workdps", "extraprec", "extradps"}:
-            found.append(f"line {one.lineno}: {one.attr}")
-        elif isinstance(one, ast.Attribute) and one.attr in {"prec", "dps", "cap"} and isinstance(one.ctx, ast.Store):
-            found.append(f"line {one.lineno}: sets {one.attr}")
-        elif isinstance(one, ast.ImportFrom) and one.module == "functools":
-            found += [f"line {one.lineno}: {name.name}" for name in one.names if name.name == "cached_property"]
-    return found
+    )
+    allowed = {inner for one in managers for inner in ast.walk(one)}
+    held = [one for one in nodes if isinstance(one, ast.With) and HELD.search(ast.unparse(one.items))]
+    yields = [
+        f"line {one.lineno}: yields within a precision"
+        for one in held
+        if one not in allowed and any(isinstance(deep, ast.Yield | ast.YieldFrom) for deep in ast.walk(one))
+    ]
+    return SET.findall(text) + yields
 
 
 def test_every_precision_is_set_under_one_lock():

@@ -24,7 +24,6 @@ from numerics import (
     PlaneScene,
     PrecisionExhausted,
     Scene,
-    Sine,
     State,
     solve,
     solve_many,
@@ -48,34 +47,7 @@ def test_nothing_but_typed_errors(scene, arithmetic):
     assert len(trajectory.events) <= 20
 
 
-OVERDAMPED = [(-2, -2, -5), (0, 0, 20), (2, 5, -15), (0, -5, 15), (-5, -5, -25)]
-"""x1, v1, v2 of slips whose guard has one turn at most; the next one is at infinity, no number in float64."""
-CRITICAL = [((8, 7), 8, 2, ("-5.4", "-0.4", "3.4")), ((1, 5), 6, 1, ("5.1", "-1.1", "-1.1"))]
-"""Masses, the mass that moves, its rate, a start: both rates of decay may be one float; float64 lost turns there."""
-RISING = [[Piece(0, [0] * power + [c], [Sine("0.01", 100)])] for power in (5, 7) for c in (1, "0.01")]
-RISING += [[Piece(0, [], [Sine("1.1", 20)])]]
-"""From rest to beyond b beside a fast sine: balls lost the slip in a long step that left out high powers of t."""
-HUMP = Piece(
-    0,
-    [0, 0, 0, Fraction(3, 125), Fraction(-1, 500), Fraction(3, 2500), Fraction(-1, 15_000)],
-    [Sine("0.001", 100), Sine("1e-6", "1.000000001")],
-)
-"""A load t^3 (12 - t)/1000, next to resonance: a cut after t^2 does not see that it gets beyond b."""
-
-
-@pytest.mark.parametrize(
-    "scene",
-    [
-        *(Scene(Pair(1, 1, 1, 1, a1), State(x1, v1, 0, v2), 50) for a1 in (2, 10) for x1, v1, v2 in OVERDAMPED),
-        *(
-            Scene(Pair(*masses, k * k * mass, 1, 2 * k * mass * (1 + Fraction(1, near))), State(x1, v1, 0, v2), 30)
-            for masses, mass, k, (x1, v1, v2) in CRITICAL
-            for near in (10**10, -(10**10), 10**30, -(10**30), 10**90, -(10**90))
-        ),
-        *(Scene(Pair(1, 1, 1, "0.5"), State("0.001"), 4, force=Force(pieces)) for pieces in RISING),
-        Scene(Pair(1, 1, 2, 1), State(), 12, force=Force([HUMP])),
-    ],
-)
+@pytest.mark.parametrize("scene", scenes_in("lost").values(), ids=scenes_in("lost"))
 def test_no_event_is_lost_in_any_arithmetic(scene):
     balls = solve(scene, digits=20, arithmetic="ball")
     for arithmetic in ("float64", *["mpmath"] * free_scene(scene)):
@@ -154,11 +126,6 @@ def test_a_slip_of_many_turns_costs_no_digits():
 
 def test_nothing_at_rest_is_known_exactly():
     assert solve(Scene(Pair(1, 1, 1, 1), State(), until=3), digits=14).arithmetic.name == "float64"
-
-
-def test_a_batch_reads_texts_as_a_scene_does():
-    read = solve_many(1, 1, 200, 0.5, v1=["1/3", " 0.1 ", Fraction(1, 7)], until=1).inputs["v1"]
-    assert read.tolist() == [1 / 3, 0.1, 1 / 7]
 
 
 def test_a_force_beyond_all_digits_is_refused_at_once():

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 import xarray
 
-import numerics
 from numerics import (
     Force,
     InvalidScene,
@@ -28,13 +27,6 @@ from numerics.scene.file import parse_scene, scene_text
 
 PAPER = load_scene("velocities")
 RUN = solve(PAPER)
-
-
-def test_star_brings_all_names():
-    names = {}
-    exec("from numerics import *", names)
-    assert set(names) - {"__builtins__"} == set(dir(numerics))
-    assert numerics.__version__
 
 
 def test_a_scene_is_replaced_in_parts_and_numbers():

@@ -37,11 +37,15 @@ from numerics.scene.file import parse_scene
 # one place
 
 
-def test_everything_a_user_needs_is_in_one_place():
-    names = dir(numerics)
+def test_everything_a_user_needs_is_in_one_place_and_star_brings_it():
+    names, brought = dir(numerics), {}
     assert all(callable(getattr(numerics, name)) for name in names)
     assert solve(PAPER).success
     assert dir(numerics) == names  # what was imported since is not listed
+    exec("from numerics import *", brought)
+    assert set(brought) - {"__builtins__"} == set(names)
+    assert numerics.__version__
+    assert pickle.loads(pickle.dumps(solve)) is solve
 
 
 def test_help_begins_with_one_line_for_each_name():
@@ -56,23 +60,9 @@ def public(kind):
 
 
 CLASSES = [one for name in dir(numerics) if inspect.isclass(one := getattr(numerics, name))]
-FOR_THE_HOUSE = {
-    "but",
-    "columns",
-    "context",
-    "energy_of",
-    "event_rows",
-    "floats",
-    "frame",
-    "made",
-    "of",
-    "pieces",
-    "row",
-}
-FOR_THE_HOUSE |= {name for name in public(numerics.Trajectory) if name.startswith("row_")}
-FOR_THE_HOUSE |= {"require_filippov", "signs"}
-FOR_THE_HOUSE |= {"ARITHMETICS", "COLUMNS", "EVENT_COLUMNS", "FORMAT"}
-FOR_THE_HOUSE |= {"end_bounds", "end_numbers", "kept", "look_up_times", "restored"}
+INNER = """ARITHMETICS COLUMNS EVENT_COLUMNS FORMAT but columns context end_bounds end_numbers energy_of event_rows
+floats frame kept look_up_times made of pieces require_filippov restored row signs"""
+FOR_THE_HOUSE = {*INNER.split(), *(name for name in public(numerics.Trajectory) if name.startswith("row_"))}
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "guide.md").read_text("utf-8")
 
 
@@ -143,10 +133,6 @@ def test_a_number_out_of_range_is_named_also_without_a_critical_energy(pair):
     with pytest.raises(OutOfRange, match=r"v1 = 1e\+400 is beyond"):
         solve(scene, arithmetic="float64")
     assert solve(scene).arithmetic.name == "ball"
-
-
-def test_a_function_from_the_package_is_pickled():
-    assert pickle.loads(pickle.dumps(solve)) is solve
 
 
 # short texts of records, pictures and films
@@ -251,5 +237,5 @@ def test_a_ratio_is_a_number_in_a_scene_file_and_in_a_batch():
     text = '[pair]\nm1 = "1/3"\nm2 = 1\na2 = 200\nb = "1/2"\n[initial]\nv1 = "3/20"\n[run]\nuntil = "7/3"\n'
     scene = parse_scene(text)
     assert (scene.pair.m1, scene.initial.v1, scene.until) == (Fraction(1, 3), Fraction(3, 20), Fraction(7, 3))
-    batch = solve_many("1/3", 1, 200, "1/2", v1=["3/20", "1/7"], until="7/3", exact=True)
+    batch = solve_many("1/3", 1, 200, "1/2", v1=["3/20", " 0.1 ", Fraction(1, 7)], until="7/3", exact=True)
     assert batch.y[:, 0].tolist() == [float(one) for one in solve(scene).final_state]

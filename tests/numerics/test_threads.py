@@ -5,7 +5,6 @@ import os
 import signal
 import sys
 import threading
-from contextlib import suppress
 
 import flint
 import mpmath
@@ -16,7 +15,7 @@ from three_scenes import DAMPED, PAPER
 
 from numerics import load_scene, response, sensitivities, solve
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.precision import cached_property, mpmath_precision, precision, series_terms
+from numerics.arithmetic.precision import cached_property, precision
 from numerics.solver.rows import in_chunks
 from numerics.trajectory.saved import plain
 
@@ -124,21 +123,6 @@ def test_a_batch_within_a_precision_does_not_wait_for_its_own_threads():
             return sum(in_chunks(chunk, 512, 2))
 
     assert in_threads([batch], 10) == [512]
-
-
-def test_each_precision_is_restored_by_what_it_holds_and_after_an_error():
-    for block, now in (
-        (precision, lambda: flint.ctx.prec),
-        (series_terms, lambda: flint.ctx.cap),
-        (mpmath_precision, lambda: mpmath.mp.prec),
-    ):
-        before = now()
-        with suppress(ZeroDivisionError), block(200):
-            with block(300):
-                assert now() == 300
-            assert now() == 200
-            raise ZeroDivisionError
-        assert now() == before
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")

@@ -1,7 +1,12 @@
 """Without a force the energy never grows: at any two times it falls by b times the slid distance and a1 int v1^2.
 
 E' = -b |v1 - v2| - a1 v1^2, (8) of the paper with the damper that it leaves out. Each law is a function that answers
-whether a run obeys it, and is seen to answer no: for another law, and under a force.
+whether a run obeys it, and is seen to answer no: for another law, and under a force. The laws, and their tests:
+
+  falls_by_friction   between any two times, of pairs of any size: test_between_any_two_times_...
+  has_rate            at any time, events included: test_the_rate_is_that_of_friction_and_damper
+  in stick            nothing is lost without a damper: test_a_stick_without_a_damper_keeps_the_energy
+  in float64          the same within the bounds that it states; and with the work of a force the ledger closes
 """
 
 from fractions import Fraction
@@ -35,7 +40,6 @@ DAMPED = Scene(Pair(1, 1, 200, "0.5", "0.4"), State(v1="0.15"), until=3)
 OVERDAMPED = Scene(Pair(1, 9000, 1, 1, 170_000), State("0.001", "0.5", 0, "0.00001"), until=900)
 LONG = Scene(Pair(1, 1, 200, "0.05", "0.01"), State(v1="0.15"), until=7)
 """Sticks that end by the load, long before the run does."""
-PUSHED = Scene(SLIPS.pair, State(), until=1, force=Force.step(0, "1.5"))
 
 
 def in_balls(scene: Scene) -> Trajectory:
@@ -164,32 +168,6 @@ def test_in_float64_energies_and_losses_are_within_their_bounds(scene, shares):
 
 
 @reaching
-@given(motions, parts)
-def test_in_float64_the_motion_between_events_is_that_of_balls(scene, shares):
-    """States, energies, excesses and ledger, which have no bounds: to 9 digits where the events have 12."""
-    at = [share * scene.until for share in shares]
-    try:
-        run = solve(scene, arithmetic="float64", max_events=EVENTS)
-    except (EventUndecided, OutOfRange):
-        raise LeftOut from None
-    if not (run.reached and run.right_digits >= 12):
-        raise LeftOut
-    run, true, pair = run.but(t_eval=at), in_balls(scene), scene.pair
-    with true.arithmetic.context():
-        first, b, critical = (arb(exact(one)) for one in (scene.energy, pair.b, pair.critical_energy))
-        for t, y, energy, w in zip(at, run.y.T.tolist(), run.energy, run.energy_excess, strict=True):
-            state = true.sol(t)
-            off = [one - exact(Fraction(here)) for one, here in zip(state, y, strict=True)]
-            left, slid = energy_of(pair, state), b * abs(state[0] - state[2])
-            assert energy_of(pair, off) <= first * 1e-18  # half of the distance squared
-            assert b * abs(off[0] - off[2]) <= (first + slid) * 1e-9
-            assert abs(left - arb(float(energy))) <= first * 1e-9
-            assert abs(left - critical * (1 + arb(float(w)))) <= (first + critical) * 1e-9
-        for name in ("initial", "final", "friction", "viscous"):
-            assert abs(getattr(true.ledger, name) - arb(float(getattr(run.ledger, name)))) <= first * 1e-9
-
-
-@reaching
 @given(st.one_of(motions, driven_scenes()))
 def test_the_ledger_closes(scene):
     """With the work of a force; friction is 0 in sticks and only there, and no loss is below 0."""
@@ -225,6 +203,7 @@ def test_a_force_that_breaks_adhesion_raises_the_energy_of_a_pair_at_rest(times_
     held = pair.b * pair.mass / pair.m2
     run = in_balls(Scene(pair, State(), until=Fraction(1, 10), force=Force.step(0, held * times_held)))
     assert not falls_by_friction(run, *times(run, [Fraction(0), Fraction(1)]))
+    assert not has_rate(run, *times(run, [Fraction(1, 3)]))
     with run.arithmetic.context():
         assert run.final_energy > 0
         assert run.ledger.work > run.final_energy
@@ -252,9 +231,3 @@ def test_a_loss_of_another_friction_is_found(factor):
     begin, end = times(run, [Fraction(0), Fraction(1)])
     assert falls_by_friction(run, begin, end)
     assert not falls_by_friction(run, begin, end, factor=factor)
-
-
-def test_an_energy_that_grows_under_a_force_is_found():
-    run = in_balls(PUSHED)
-    assert not falls_by_friction(run, *times(run, [Fraction(0), Fraction(1, 3)]))
-    assert not has_rate(run, *times(run, [Fraction(1, 3)]))

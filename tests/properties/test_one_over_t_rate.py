@@ -1,7 +1,12 @@
 """Where the free pair never merges, E - E_cr falls as 1/t: between c1/t and c2/t, and with one sharp constant.
 
 Times count from an exit from S0 with w = E/E_cr - 1 = q y_0, y_0 <= (pi/2 - 1)^2: from there on the constants of theory
-hold. Each law is a function of its exponent or its constant, and is seen to answer no for one next to it.
+hold. Each law is a function of its exponent or its constant, and is seen to answer no for one next to it. The laws,
+and their tests:
+
+  is_between    c1/t <= E - E_cr <= c2/t, also in float64: test_the_excess_is_between_two_constants_over_the_time
+  is_sharp      t (E - E_cr) tends to K, with an error: test_the_time_times_the_excess_tends_to_the_sharp_constant
+  cycle, rate   1/w gains between two constants a cycle, and no exponential is as slow: the two tests after these
 """
 
 from fractions import Fraction
@@ -18,7 +23,7 @@ from theory_values import energy_of, exact, excess_of, excursion_of, of_pair, re
 
 from numerics import EventUndecided, OutOfRange, Pair, Scene, State, load_scene, solve
 from numerics.arithmetic.ball import digits_within, precision
-from numerics.free.energy import EnergyMethod, energy_at
+from numerics.free.energy import energy_at
 from numerics.linear.modes import EventKind
 from paper_checks.claims.beyond.uniform_rate import rate_with_error
 from theory.energy import critical_energy
@@ -203,22 +208,6 @@ def test_it_is_slower_than_any_exponential(scene, t, more):
             raise LeftOut
         rate = (s / low).log() / s * (1 + exact(more))
         assert excess_at(scene, t) > (-rate * s).exp()
-
-
-@reaching
-@given(motions_of_energy(magnitudes(-6, 0), on_surface=False, ratios=(-2, 2)), late_times(), magnitudes(1, 30))
-@example(load_scene("itinerary-that-merges"), Fraction(1000), Fraction(10))
-def test_where_a_motion_merges_nothing_is_left_to_fall(scene, t, times):
-    try:
-        early, late = (energy_at(scene, at, digits=20, max_steps=2000) for at in (t, t * times))
-    except (OutOfRange, EventUndecided):
-        raise LeftOut from None
-    if early.energy_excess > 0 or early.road is not EnergyMethod.NO_MORE_SLIP:
-        raise LeftOut
-    with precision(BITS):
-        critical = of_pair(critical_energy(), scene.pair)
-        assert all(one.energy_excess <= 0 and not one.energy > critical for one in (early, late))
-        assert late.energy.overlaps(early.energy)
 
 
 # each law is seen to fail
