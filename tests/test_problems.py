@@ -44,6 +44,13 @@ def test_a_mass_on_a_belt_sticks_until_the_spring_bears_static_friction():
     assert again - slips == pytest.approx(2 / omega * (math.pi - math.atan(omega * (most - b) / a2 / v)), rel=1e-10)
 
 
+@pytest.mark.long
+def test_a_cycle_on_a_belt_goes_on_with_as_many_digits_as_lead_further():
+    """Where friction falls errors grow: so long a run needs more digits than a tie is worth."""
+    run = solve(load_scene("belt").replace(until=600))
+    assert (run.success, run.arithmetic.digits) == (True, 1120)
+
+
 def test_a_block_on_a_slope_turns_where_its_speed_is_gone():
     run, up, down = solved("incline"), 9.81 * (0.6 + 0.4), 9.81 * (0.6 - 0.4)
     (turn,) = times(run)

@@ -42,7 +42,7 @@ def print_energy(options: argparse.Namespace) -> int:
     lines = [
         f"at t = {options.at} s, {found.mode.value}, after {found.excursions} excursions",
         f"  energy = {shown['energy']} J\n  {LABELS['energy_excess']} = {shown['energy_excess']}",
-        *number_lines(shown),
+        *number_lines({name: shown[name] for name in shown if "energy" not in name}),
         f"{options.digits} right digits of the energy and its excess, proved",
         *([f"{found.road.value} ({found.stepped} events computed one by one)"] if options.explain else []),
     ]

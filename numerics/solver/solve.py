@@ -84,7 +84,7 @@ def solve(
 
     Without `digits` and `arithmetic`: float64 with error bounds (Trajectory.accuracy). If these do not decide the
     sequence of events, or leave no right digit of a quantity (trajectory/digits.py): balls of 34, 68, 136 and 560
-    working digits, and for digits alone of more. If none suffices up to `max_digits`, the status is NO_RIGHT_DIGIT and
+    working digits, and of more while they lead further, or for digits alone. If none suffices up to `max_digits`, the status is NO_RIGHT_DIGIT and
     `success` is False.
 
     With `digits` = N: N right digits of every event time and state, and of state, energy and excess at the end. This
@@ -167,16 +167,17 @@ def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
     """
     best: Trajectory | None = None
     refused: NumericsError | None = None
-    tried: list[str] = []
+    tried, places = list[str](), [""]
     for arithmetic in _ladder(limits):
-        if best is None and arithmetic.digits > _LADDER[-1].digits:
-            break  # more digits than these are for numbers, not for events
+        if best is None and arithmetic.digits > _LADDER[-1].digits and places[-1] in places[-2:-1]:
+            break  # what more digits have not led beyond is a tie; else they lead further
         if best is not None and best.record.events > _MOST_IN_BALLS:
             break
         try:
             found = limits.run(scene, arithmetic)
         except (EventUndecided, OutOfRange) as error:
             refused = error
+            places.append(error.enclosure if isinstance(error, EventUndecided) else places[-1])
             tried.append(f"{arithmetic.name} with {arithmetic.digits} digits: {error}")
             continue
         if not found.without_digits:

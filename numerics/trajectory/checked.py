@@ -67,10 +67,15 @@ class Check:
     def __str__(self) -> str:
         """Return it as a table below a sentence."""
         beyond = ", ".join(one.quantity for one in self.off if not one.within)
+        events, compared = f"all {self.events} events are the true ones", "no number is off by more than its bound"
+        if self.difference:
+            events, compared = f"the sequence of events is wrong: {self.difference}", f"before it {compared}"
+        if beyond:
+            compared = f"off by more than the bound: {beyond}"
+        if not self.off:
+            return f"{self.arithmetic} against balls of {self.digits} digits: {events}; no number could be compared"
         lines = [
-            f"{self.arithmetic} against balls of {self.digits} digits: "
-            f"{self.difference or f'all {self.events} events are the true ones'}; "
-            f"{f'off by more than the bound: {beyond}' if beyond else 'no number is off by more than its bound'}",
+            f"{self.arithmetic} against balls of {self.digits} digits: {events}; {compared}",
             f"{'':15}{'really off by':18}{'bound':18}worst at",
         ]
         for one in self.off:

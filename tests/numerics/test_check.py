@@ -98,6 +98,13 @@ def test_a_falsified_mode_is_the_first_event_that_differs():
     assert json.loads(json.dumps(found.to_dict()))["difference"]["event"] == 5
 
 
+def test_where_the_first_event_is_wrong_nothing_is_compared():
+    found = falsified(int(RUN.event_rows[0]), mode=1 - abs(RUN.signs[1])).check()
+    assert found.off == ()
+    assert "the sequence of events is wrong: event 1 differs" in str(found)
+    assert "no number could be compared" in str(found)
+
+
 def test_a_lost_event_and_an_invented_one_are_named():
     """The rows of a run over 3 s said to be those of 5 s, and the other way round."""
     early = Scene(RUN.scene.pair, RUN.scene.initial, 3)

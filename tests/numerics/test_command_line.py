@@ -266,6 +266,11 @@ def test_a_refusal_names_the_argument_that_helps(run, argument, arguments):
     assert not re.search(r"\w=|solve\(", err)
 
 
+def test_the_energy_of_a_pair_is_none_of_a_transfer(run):
+    code, out, _ = run("energy", "velocities", "--at", 10)
+    assert (code, out.count("energy = "), "u^2" in out) == (0, 1, False)
+
+
 def test_a_scene_beyond_float64_is_sent_to_balls(run, scene_file):
     scene_file.write_text(scene_file.read_text().replace("m1 = 1", "m1 = 1e400"))
     code, _, err = run("solve", scene_file, "--arithmetic", "float64")
