@@ -50,6 +50,8 @@ fun f func rhs: the equations are those of the Scene
 lambda_ function signal: a force is made of Force.sine, .step, .ramp, .samples, and their sums
 times t_eval t: run.to_dataframe(times) is a table at these times, run.sol(t) the states
 digits arithmetic precision: solve(scene, digits=N) chooses digits and arithmetic
+save to_csv: to_dataframe().to_csv(file) writes a table
+u F: scene.force(t) is the force at a time
 color colour title label style: the axes that it returns take that, as ax.set_title(...)
 """
 _INSTEAD = {
@@ -138,5 +140,5 @@ def right_word(word: str, known: list[str], otherwise: str = "") -> str:
             return f"write {' or '.join(meant)}{bracket}{unit}"
         if one in _ANSWERS:
             return _ANSWERS[one]
-    near = difflib.get_close_matches(word, known, n=2, cutoff=0.5)
+    near = difflib.get_close_matches(word, known, n=2, cutoff=0.5 if len(word) > 1 else 1)  # to one letter none is near
     return f"did you mean {' or '.join(near)}?" if near else otherwise or f"it takes {', '.join(known[:30])}"

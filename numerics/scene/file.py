@@ -7,9 +7,10 @@ import os
 import re
 import sys
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import nullcontext
 from importlib import resources
+from itertools import chain
 from pathlib import Path
 from typing import Any, cast
 
@@ -31,7 +32,7 @@ _SCENE = {
     "run": ("until", "law"),
     "weakening": ("", "speed last_slope place"),
     "force": ("", f"{_SIGNAL} axis body"),
-    "friction": ("from", "b polynomial sines"),
+    "friction": ("", f"{_SIGNAL} b"),
     "belt": ("", _SIGNAL),
     "wall": ("", _SIGNAL),
 }
@@ -148,8 +149,10 @@ def parse_scene(text: str, file: str = "") -> Scene:
         )
     if not (lists or is_named):
         on_bodies = _signals(tables, "force", folder, "body", (1, 2))
-        changes = _read("friction", tables, lambda one: Friction([_friction_piece(one)]).pieces[0])
-        friction = Friction(changes, Weakening(**tables["weakening"]) if "weakening" in tables else None)
+        changes = _read("friction", tables, lambda one: Friction(_friction_pieces(one, folder)).pieces)
+        friction = Friction(
+            chain.from_iterable(changes), Weakening(**tables["weakening"]) if "weakening" in tables else None
+        )
         others = (_signals(tables, name, folder)[0] for name in ("belt", "wall"))
         start = Pair(**pair), State(**initial), run["until"], law
         return Scene(*start, on_bodies[0], friction, on_bodies[1], *others)
@@ -160,10 +163,11 @@ def parse_scene(text: str, file: str = "") -> Scene:
         raise InvalidScene("on a surface the law is filippov; sgn(0) = 0 does not define a direction; leave it out")
     along = _signals(tables, "force", folder, "axis", AXES)
     n = max([2, *map(len, lists.values()), *(AXES.index(one.get("axis", "x")) + 1 for one in force)])
-    if any(one.keys() & {"polynomial", "sines"} for one in tables.get("friction", ())):
+    if any(one.keys() & {"polynomial", "sines", "file"} for one in tables.get("friction", ())):
         raise InvalidScene("on a surface b is constant by pieces; give each [[friction]] a from and a b")
-    changes = _read("friction", tables, _friction_piece)
-    surface = PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=along[:n], friction=changes)
+    changes = _read("friction", tables, lambda one: _friction_pieces(one, folder))
+    steps = chain.from_iterable(changes)
+    surface = PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=along[:n], friction=steps)
     return cast("Scene", surface)  # what is asked of a Scene is refused by type
 
 
@@ -189,7 +193,7 @@ def _signals(
 def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
     """Return the pieces of a file of two columns, t and u, with or without a line of their names."""
     file = table["file"]
-    if not isinstance(file, str) or table.keys() & set(_PIECE.split()):
+    if not isinstance(file, str) or table.keys() & {*_PIECE.split(), "b"}:
         raise InvalidScene(f"file = {shown(file)} must be a text, beside kind alone; leave out {_PIECE}")
     lines = _content(str(folder / file), "file of samples", "give its path from the scene file").rstrip().splitlines()
     names = "".join(lines[:1]).strip(' "#').lower()
@@ -263,8 +267,16 @@ def _piece(table: dict[str, Any]) -> Piece:
     return Piece(table.get("from", 0), table.get("polynomial", ()), [Sine(**one) for one in sines])
 
 
+def _friction_pieces(table: dict[str, Any], folder: Path) -> Sequence[Any]:
+    """Return pieces of friction: each its start and a constant b, or a Piece."""
+    if "file" in table:
+        return _samples(table, folder)
+    return [_friction_piece(table)]
+
+
 def _friction_piece(table: dict[str, Any]) -> Any:
-    """Return one piece of friction: its start and a constant b, or a Piece."""
+    if "from" not in table:
+        raise InvalidScene("missing key from; give it")
     if len(table) < 2:
         raise InvalidScene("missing key b; give b, or polynomial and sines")
     if "b" not in table:

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, listed, nonnegative, put, short, shown
-from numerics.scene.pieces import Piece, begun, require_order
+from numerics.scene.pieces import Piece, Signal, begun, require_order
 from numerics.scene.short_repr import ShortRepr
 
 MAX_POINTS = 1000
@@ -63,7 +63,8 @@ class Weakening(ShortRepr):
 class Friction(ShortRepr):
     """The friction force b(t) >= 0 (N) by pieces, in order; before the first one the pair's b. Exact.
 
-    A piece is a `Piece`, of a polynomial and sines, or (start in s, b in N) for a constant. `weakening`: its dependence
+    A piece is a `Piece`, of a polynomial and sines, or (start in s, b in N) for a constant; or a signal has them, as
+    `Friction(Force.samples(t, b))`. `weakening`: its dependence
     on speed and displacement; b is then the friction at rest where C = 0. Raises InvalidScene.
 
     >>> friction = Friction([(4, "0.08")])
@@ -74,15 +75,18 @@ class Friction(ShortRepr):
     pieces: tuple[Piece, ...]
     weakening: Weakening | None
 
-    def __init__(self, pieces: Iterable[Piece | tuple[Exact, Exact]] = (), weakening: Weakening | None = None) -> None:
-        """Read the pieces; each starts after the one before it."""
+    def __init__(
+        self, pieces: Signal | Iterable[Piece | tuple[Exact, Exact]] = (), weakening: Weakening | None = None
+    ) -> None:
+        """Read the pieces, each of which starts after the one before it; or take those of a signal, as of samples."""
         if not isinstance(weakening, Weakening | None):
             raise InvalidScene(f"weakening = {shown(weakening)} must be a Weakening; build one first")
 
         def read(b: Any) -> Any:
             return b if isinstance(b, Piece) else nonnegative(b, "b")
 
-        found = friction_pieces(listed("pieces", pieces), read)
+        given = pieces.pieces if isinstance(pieces, Signal) else listed("pieces", pieces)
+        found = friction_pieces(given, read)
         kept = tuple(b if isinstance(b, Piece) else Piece(start, (b,)) for start, b in found)
         put(self, pieces=kept, weakening=weakening)
 
@@ -124,12 +128,16 @@ def _points(given: Any, name: str, first: str, second: str) -> tuple[tuple[Fract
 
 def friction_pieces(given: Iterable[Any], read: Callable[[Any], _B]) -> tuple[tuple[Fraction, _B], ...]:
     """Return pieces of friction in order: when each begins, s, and its b, or the whole Piece, as it is read."""
-    kept = []
-    for piece in given:
+    kept, pieces = [], list(given)
+    for piece in pieces:
         try:
             start, b = (piece.start, piece) if isinstance(piece, Piece) else piece
         except (TypeError, ValueError):
             raise InvalidScene(f"{shown(piece)} is no piece of friction; give a Piece or a pair (start, b)") from None
-        kept.append((begun(start), read(b)))
+        at = begun(start)
+        try:
+            kept.append((at, read(b)))
+        except InvalidScene as error:
+            raise error if len(pieces) == 1 else InvalidScene(f"friction from {short(at)} s on: {error}") from None
     require_order("friction", [start for start, _ in kept])
     return tuple(kept)

@@ -217,7 +217,7 @@ class Scene(ShortRepr):
         signals = ((one, Signal, f"a Force: {MAKERS}") for one in (force, force_2, belt, wall))
         for part, kind, remedy in (*parts, *signals, (friction, Friction, "Friction([(start, b)])")):
             if not isinstance(part, kind):
-                given = f"{str(part)[:40]!r}, {type(part).__name__}"
+                given = "a function" if callable(part) else f"{str(part)[:40]!r}, {type(part).__name__}"
                 raise InvalidScene(f"a scene needs a {kind.__name__}, not {given}; build one, such as {remedy}")
         put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, _hash=0)
         put(self, until=positive(until, "until", HORIZON), force_2=force_2, belt=belt, wall=wall)

@@ -203,7 +203,9 @@ class Signal(ShortRepr):
             masked = getattr(getattr(given, "mask", None), "any", None)  # of a column of pandas `mask` is a method
             if masked is not None and masked():
                 raise InvalidScene(f"{name} has masked samples; leave their rows out, or fill them")
-        if len(times) != len(values) or not times:
+        if not times:
+            raise InvalidScene("t has no samples; give at least one, and one of u for each")
+        if len(times) != len(values):
             raise InvalidScene(f"t has {len(times)} samples and u {len(values)}; give one of u for each of t")
         knots: list[tuple[Fraction, Fraction]] = []
         for row, (time, value) in enumerate(zip(times, values, strict=True), first_row):

@@ -84,8 +84,8 @@ def solve(
 
     Without `digits` and `arithmetic`: float64 with error bounds (Trajectory.accuracy). If these do not decide the
     sequence of events, or leave no right digit of a quantity (trajectory/digits.py): balls of 34, 68, 136 and 560
-    working digits, and of more while they lead further, or for digits alone. If none suffices up to `max_digits`, the status is NO_RIGHT_DIGIT and
-    `success` is False.
+    working digits, and of more while these lead further. If none up to `max_digits` has a right digit, the status is
+    NO_RIGHT_DIGIT and `success` is False.
 
     With `digits` = N: N right digits of every event time and state, and of state, energy and excess at the end. This
     is float64 where its bounds leave N <= 15 digits, else balls, whose precision is raised until the digits are proved.

@@ -176,6 +176,17 @@ def test_samples_of_numpy_are_read_as_their_shortest_decimals():
     )
 
 
+def test_friction_may_be_measured_too(tmp_path):
+    (tmp_path / "b.csv").write_text("t,b\n0.5,0.05\n1,0.08\n2,0.02\n")
+    text = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[run]\nuntil = 5\n[[friction]]\nfile = 'b.csv'\n"
+    (tmp_path / "scene.toml").write_text(text)
+    friction = Friction(Signal.samples(["0.5", 1, 2], ["0.05", "0.08", "0.02"]))
+    assert load_scene(tmp_path / "scene.toml").friction == friction
+    assert friction.pieces[0] == Piece("0.5", ["0.05", "0.06"])
+    with pytest.raises(InvalidScene, match="must be a text, beside kind alone"):
+        parse_scene(text + "b = 1\n")
+
+
 FORCED = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[run]\nuntil = 5\n[[force]]\nbody = 2\nfile = 'u.csv'\n"
 
 
