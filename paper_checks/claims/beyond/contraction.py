@@ -133,9 +133,9 @@ def _quotable() -> dict[Basic, Basic]:
     clause(
         "interface",
         r"""
-        With a friction of at most $b(t)\geqslant 0$ where $b$ is the rate from the right of a continuous function, as where
-        it is constant on pieces of time, finitely many in every bounded time interval, there is exactly one solution from
-        every initial state, too, and the distance of two never grows.
+        With a friction of at most $b(t)\geqslant 0$ that is the right derivative of a continuous function, for example
+        constant on pieces of time, finitely many in every bounded time interval, there is exactly one solution from every
+        initial state, too, and the distance of two never grows.
         """,
         kernel="interface-well-posed interface-contraction interface-one-strength",
     ),

@@ -158,10 +158,13 @@ def _critical_ratio() -> arb:
     ),
     clause(
         "lighter",
-        r"If $m_1/m_2<\mu^*$, the pair merges where it first meets $S$ after it left $S_0$ from an interval of energies on $S_0$, and from some energy if they are equal:",
+        r"""
+        If $m_1/m_2<\mu^*$, there is an interval of energies such that a pair that leaves $S_0$ with one of them merges where
+        it next meets $S$;
+        """,
         kernel="merging-set",
     ),
-    clause("equal", r"then just one.", kernel="merging-set"),
+    clause("equal", r"if $m_1/m_2=\mu^*$, there is exactly one such energy.", kernel="merging-set"),
 )
 def mass_ratio() -> Case:
     """The least excess after any slip from S touches zero at one slip from the ray, for one share."""

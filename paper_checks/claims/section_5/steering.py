@@ -200,9 +200,9 @@ def damping_for_tracking() -> Case:
         clause(
             "time",
             r"""
-            For every $b(t)\geqslant 0$ that is the rate from the right of a continuous function, as one that is constant on
+            For every $b(t)\geqslant 0$ that is the right derivative of a continuous function, for example constant on
             pieces of time, finitely many in every bounded time interval, there is one solution from every initial state,
-            and the flow is non-expansive, with «contraction» where both frictions have a rate from the right;
+            and the flow is non-expansive, with «contraction» where both frictions have a right derivative;
             """,
             contraction=equal(
                 r"\tfrac{1}{2}\tfrac{d}{dt}N^2",

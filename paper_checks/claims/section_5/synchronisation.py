@@ -159,7 +159,7 @@ def merges_with_a_damper() -> Steps:
         ),
         clause(
             "captive",
-            r"that is at the latest at its first contact with $S$ below the level «level»;",
+            r"it sticks permanently at the latest from its first contact with $S$ below the level «level» on;",
             level=equal(
                 "E_c",
                 b**2 * (m1 + m2) ** 3 / (2 * m2**2 * (a2 * (m1 + m2) + a1**2)),
