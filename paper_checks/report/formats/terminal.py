@@ -148,6 +148,7 @@ def _print_story(console: Console, row: Row) -> None:
     console.print(Text(row.claim.id, "bold"), Text(finding.verdict.value, STYLES[finding.verdict]))
     texts = {
         speaker(row.claim): row.claim.statement,
+        "Hypotheses": row.claim.assuming if is_new_theorem(row) else "",
         "Reason": finding.reason,
         "Corrected": finding.corrected,
         "Counterexample": finding.counterexample,
