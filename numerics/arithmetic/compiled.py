@@ -83,12 +83,12 @@ def _kept(function: Any) -> Any:
     """Return a function compiled by numba, which keeps it; what it calls is compiled, too, once for all callers."""
     import numba
 
-    before = numba.config.CACHE_DIR
+    calling, before = _with_compiled(function), numba.config.CACHE_DIR  # what it calls has found its folder by then
     folder = _folder(Path(before) / "inertial-pair" if before else cache_folder())
     numba.config.CACHE_DIR = str(folder)
     # where that folder cannot be written numba would take another, by the age of the entry's source alone
     options = {**_COMMON, **_OPTIONS.get(function, {}), "cache": os.access(folder, os.W_OK)}
-    made = numba.njit(_with_compiled(function), **options)
+    made = numba.njit(calling, **options)
     numba.config.CACHE_DIR = before
     load, compile_for = made._cache.load_overload, made.compile
 
