@@ -125,7 +125,7 @@ for amplitude in (None, "1.05", "0.5"):
     print(f"U = {amplitude}: {found.time.str(15)} s, bound {found.bound.str(15)} s, arrives at {end.str(12)} m")
     print("   ", found.fastest)
 with house_style():
-    figure = under_a_force.transfer()
+    figure = under_a_force.fastest_transfer_figure()
 figure
 
 # %% [markdown]
@@ -140,7 +140,7 @@ settled = ring_entry(load_scene("velocities"), "0.001", rate=20, digits=30)
 print("limit of x1 - x2:", settled.centre.str(30), "m")
 print("inside for good from", settled.entry.str(30), "s;", settled.why)
 with house_style():
-    figure = under_a_force.tolerance_ring()
+    figure = under_a_force.tolerance_ring_of_a_scene()
 figure
 
 # %% [markdown]

@@ -38,6 +38,15 @@ def latex(expression: sp.Basic | int) -> str:
     return str(_Printer({"fold_short_frac": False}).doprint(sp.sympify(expression)))
 
 
+def equation(left: str, right: sp.Basic | int, *, relation: str = "=") -> str:
+    """Return the displayed equation with the LaTeX `left` and an expression of theory on the right, for the notebooks.
+
+    >>> equation("E", sp.Symbol("m_1") ** 2)
+    '$$E=m_{1}^{2}$$'
+    """
+    return f"$${left}{relation}{latex(right)}$$"
+
+
 def stating(evidence: Evidence, *forms: str) -> Evidence:
     """Return the evidence with closed forms, for programs to read, before its value.
 

@@ -11,7 +11,7 @@ import pytest
 from draws import brought
 from every_number import solved_truly
 from flint import arb
-from hypothesis import given
+from hypothesis import example, given
 from kernel_runs import BOUNDS, STATE, a_scene, a_weakened_scene, errors, exact, in_stick, moved, run
 from reaching import LeftOut, reaching
 from scene_files import scenes_in
@@ -270,7 +270,14 @@ def test_what_was_certain_and_wrong_is_right_or_in_doubt(name, scene, way):
     assert not found.certain or name == f"{len(found.events)}-events"
 
 
+PAST_A_TOUCH = Scene(
+    Pair(1, 1, 0, 1), State(v1="1e-18"), 3, force=Force.sine(1, 5) + Force.constant(1), force_2=Force.constant(-1)
+)
+"""v1 - v2 = 1e-18 + (1 - cos(5 t))/5."""
+
+
 @reaching
+@example(PAST_A_TOUCH)
 @given(grazes())
 def test_a_graze_is_decided_rightly_or_not_at_all(scene):
     """Without a spring two motions part at one speed: their distance in v1 - v2 was once left out."""
