@@ -230,8 +230,8 @@ def tolerance_ring() -> Case:
         "heavy",
         r"""
         As $a_1\to\infty$ body 1 moves slowly, with «creeps» in slip of sign $\sigma$ and the velocity of body 1 of
-        order $1/a_1$, and from every initial state the time after which the pair sticks permanently tends to «time»,
-        with the initial $v_2$.
+        order $1/a_1$, and «time» for the time $T$ after which the pair sticks permanently, with the $v_2$ of
+        the initial state, whatever that is.
         """,
         creeps=tends(r"a_2x_1+a_1v_1", -b * sigma, forced.creeping_load),
         time=tends("T", m2 * Abs(v2) / b, lambda: Abs(v2) / control.strongest()),
