@@ -78,7 +78,7 @@ def unlisted() -> set[str]:
     """The public attributes of a run and of a batch that stand in no list."""
     of_a_run = {name for name in dir(Trajectory) if name[0] != "_"} | {"arithmetic", "record", "bounded", "scene"}
     of_a_batch = {name for name in dir(Batch) if name[0] != "_" and not name.endswith("_error")}
-    of_a_batch |= {name for name in Batch.__annotations__ if not name.endswith("_error")} | {"shape"}
+    of_a_batch |= {"shape", "ANSWERS"}
     return of_a_run ^ (NO_NUMBERS | ROWS | NUMBERS) | of_a_batch ^ (NO_NUMBERS_OF_A_BATCH | NUMBERS_OF_A_BATCH)
 
 
