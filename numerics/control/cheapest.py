@@ -10,16 +10,16 @@ from flint import arb
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import KEPT_DIGITS, SlipsAgain, number, solved_again
-from numerics.control.least_energy import Search
 from numerics.control.least_peak import least_peak
+from numerics.control.optimal import LeastEnergy
 from numerics.control.transfer import Transfer, TransferKind, read_transfer
 from numerics.errors import InvalidScene, NotSettled
 from numerics.scene import Force, Pair, Piece, Scene
-from numerics.scene.decimals import Exact, decimal_text, positive, short
+from numerics.scene.decimals import Exact, decimal_text, positive
 from numerics.scene.short_repr import ShortRepr
 
 _CLOSE = Fraction(1, 10**12)
-"""By this part at most the least energy that is proved may be below that of the force."""
+"""By this part at most what is proved to be the least may be below the cost of the force."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -28,7 +28,7 @@ class CheapestTransfer(ShortRepr):
 
     `bound` (s): lower bound on the time of every transfer. `road`: what it has least of. `cost`: int u^2 dt (N^2 s), or
     max |u| (N), up to that time; `least_cost`: proved lower bound on it for all transfers that stick and keep the
-    margin, which is less by a part of some 10^-18 if `is_at_limit`: whether friction is at its limit, or at the margin,
+    margin, which is less by a part of some 10^-18. `is_at_limit`: whether friction is at its limit, or at the margin,
     at times.
 
     >>> from numerics import load_scene
@@ -67,9 +67,9 @@ def cheapest_transfer(
 ) -> CheapestTransfer:
     """Return the transfer of a scene's pair over a distance (m) in a time (s) that sticks and has the least int u^2 dt.
 
-    `least="peak"`: the least max |u| up to that time instead, where friction need not be at its limit. The load is at
-    most (1 - margin) b. Raises InvalidScene (a time below the least one among others), NotSettled (no force was found),
-    PrecisionExhausted, TypeError (no scene), ValueError (digits).
+    `least="peak"`: the least max |u| up to that time instead. The load is at most (1 - margin) b. Raises InvalidScene
+    (a time below the least one among others), NotSettled (no force was found), PrecisionExhausted, TypeError (no
+    scene), ValueError (digits).
 
     >>> from numerics import load_scene
     >>> found = cheapest_transfer(load_scene("at-rest"), "0.001", "0.2")
@@ -86,13 +86,19 @@ def cheapest_transfer(
     road, find = _FIND[least]
 
     def attempt(_: Ball) -> tuple[CheapestTransfer, list[arb]]:
-        bound = 2 * number(tight.m2 * far / tight.b).sqrt()
-        if number(until) < bound:
+        bound, fastest = (2 * number(one.m2 * far / one.b).sqrt() for one in (pair, tight))
+        if number(until) < fastest:
             raise InvalidScene(
                 f"time = {decimal_text(until)} s must be at least 2 sqrt(m2 D/((1 - margin) b)) = "
-                f"{bound.str(15, radius=False)} s, as no transfer is faster; give more time, or less distance or margin"
+                f"{fastest.str(15, radius=False)} s, as no transfer that keeps the margin is faster; give more time, "
+                "or less distance or margin"
             )
         pieces, cost, least_cost, at_limit = find(tight, far, until)
+        if not cost - least_cost < cost * number(_CLOSE):
+            raise NotSettled(
+                f"no force of least {least} was found: {least_cost.str(6)} is proved, {cost.str(6)} is needed; give "
+                "another time"
+            )
         force = Force((*pieces, Piece(until, (pair.a2 * far,))))
         planned = Scene(pair, scene.initial, until=until * 3 / 2, force=force if by > 0 else -force)
         found = CheapestTransfer(by, number(until), bound, road, cost, least_cost, at_limit, planned, digits)
@@ -102,24 +108,17 @@ def cheapest_transfer(
     try:
         solved_again(replace(found, scene=replace(found.scene, pair=tight)))
     except SlipsAgain as error:
-        if least != "peak":
-            raise
-        near = short(pair.mass * tight.b / (pair.m2 * pair.a2))
         raise NotSettled(
-            "the least peak was not found: the optimum has friction at its limit, which is not computed: give a "
-            f'smaller distance, or least="energy" (more time can help only below M b/(m2 a2) = {near} m)'
+            f"no force of least {least} was found: under that of the search friction gives way; give another time"
         ) from error
     return found
 
 
 def _energy(pair: Pair, far: Fraction, until: Fraction) -> tuple[list[Piece], arb, arb, bool]:
-    search = Search(pair, far, until)
-    found = search.force(pair.b / pair.m2)
-    pieces, sides = zip(*found.parts, strict=True)
-    cost, least_cost = search.bound(found, pair.b / pair.m2)
-    if not cost - least_cost < cost * number(_CLOSE):
-        raise search.not_found
-    return list(pieces), cost, least_cost, any(sides)
+    search = LeastEnergy(pair, far, until)
+    found = search.force()
+    cost, least = (search.mass**2 * one for one in search.bound(found))
+    return search.pieces(found), cost, least, any(part.arc.side for part in found.parts)
 
 
 _FIND = {"energy": (TransferKind.CHEAPEST, _energy), "peak": (TransferKind.GENTLEST, least_peak)}

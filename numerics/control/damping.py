@@ -5,7 +5,11 @@ grows, from then on |x1| <= d, |v1| <= d sqrt(a2/m1) and |v2| <= d sqrt(a2/m2): 
 is monotone in a1. As a1 grows, body 1 stops at once where it is, and friction alone stops body 2:
 
     stuck -> m2 |v2(0)|/b
-    rest  -> m2 (|v2(0)| - sqrt(a2 (d^2 - x1(0)^2)/m2))/b, or 0, for |x1(0)| < d; else rest ~ (a1/a2) ln(|x1(0)|/d)
+    rest  -> m2 (|v2(0)| - sqrt(a2 (d^2 - x1(0)^2)/m2))/b, or 0, for |x1(0)| < d
+             max(m2 |v2(0)|/b, (m1 v1(0) + m2 v2(0))/(a2 x1(0))), or 0, for |x1(0)| = d
+    rest  ~  (a1/a2) ln(|x1(0)|/d) for |x1(0)| > d
+
+At |x1(0)| = d: what the momentum moves the pair beyond d, of the order 1/a1, the spring takes back in that time.
 """
 
 from __future__ import annotations
@@ -131,8 +135,12 @@ def _heavy(scene: Scene, size: Fraction) -> Times:
     """Return the limits as a1 grows without bound."""
     pair, left = scene.pair, size**2 - scene.initial.x1**2
     speed, per = number(abs(scene.initial.v2)), number(pair.m2 / pair.b)
-    if left <= 0:
-        return Times(per * speed, arb(0) if scene.energy <= pair.a2 * size**2 / 2 else arb.pos_inf())
+    if left < 0:
+        return Times(per * speed, arb.pos_inf())
+    if left == 0:
+        at = scene.initial
+        back = number((pair.m1 * at.v1 + pair.m2 * at.v2) / (pair.a2 * at.x1))
+        return Times(per * speed, back.max(per * speed))
     return Times(per * speed, per * (speed - number(pair.a2 * left / pair.m2).sqrt()).max(arb(0)))
 
 

@@ -47,9 +47,13 @@ class TransferKind(Enum):
     STUCK = "the bodies stick throughout, at the limit of friction or the margin below it"
     SLIP = "body 1 slips ahead in the first half; the bodies stick in the second half"
     BANG_BANG = "the bodies stick throughout, under full force forwards, then backwards"
-    CHEAPEST = "the bodies stick throughout, and no transfer in this time that sticks has less int u^2 dt on the way"
+    CHEAPEST = (
+        "the bodies stick throughout, and no transfer in this time that sticks, and keeps the margin, has less "
+        "int u^2 dt on the way"
+    )
     GENTLEST = (
-        "the bodies stick throughout, and no transfer in this time that sticks has a lower peak of |u| on the way"
+        "the bodies stick throughout, and no transfer in this time that sticks, and keeps the margin, has a lower peak "
+        "of |u| on the way"
     )
     OPEN = "open: the minimum time for this amplitude is not known"
 

@@ -111,11 +111,6 @@ def test_move_says_that_the_cost_is_until_the_arrival_and_what_holds_the_pair_th
     assert (last.start, last.polynomial) == (Fraction("0.3"), (Fraction(force),))
 
 
-def test_a_least_peak_that_friction_does_not_allow_is_refused_with_the_flag_that_helps(run):
-    code, _, err = run("move", "at-rest", "--distance", "0.01", "--least", "peak", "--time", "0.3")
-    assert (code, "give a smaller distance, or --least energy" in err, err.count("\n")) == (1, True, 1)
-
-
 def test_what_is_said_of_how_near_to_its_limit_friction_is_is_true(output):
     """Stuck at the limit the load is within 10^-18 of b; where body 1 runs ahead, what slips of itself is tiny."""
     stuck, ahead = (

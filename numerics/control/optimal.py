@@ -1,0 +1,320 @@
+"""The stuck motion from rest to rest over D in the time T that has the least of something, where |a| <= beta.
+
+Its acceleration a is all there is to choose: with c = a1/M, k = a2/M it takes u/M = a + c v + k x. Whatever w(t), nu
+and mu are, with S = int_t^T w and rho = w + c S + k int_t^T S + nu - mu (T - t),
+
+    int w u/M = mu D + int rho a,  hence   int (u/M)^2 >= 2 (mu D - beta int |rho|) - int w^2
+                                           max |u/M|   >= (mu D - beta int |rho|)/int |w|
+
+with equality if rho = 0 where |a| < beta, rho has the sign of -a elsewhere, and w is u/M; or, for the peak, has the
+sign of u, and is 0 where |u| is below its peak. With q = rho - w and r = q' + c w these are equations for a motion,
+
+    x' = v,  v' = a,  q' = r - c w,  r' = k w
+
+in which w = -q and u follows from w where |a| < beta; elsewhere a = +-beta, and u follows. The numbers q(0), r(0) that
+bring it to (D, 0) are searched for by Newton's method while the limit comes down to beta. Nothing rests on the search:
+the bound is computed from the force that it finds, in balls.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from flint import arb, arb_mat, arb_poly
+
+from numerics.arithmetic.ball import exact_middle
+from numerics.control.answers import number, rounded
+from numerics.control.tracking import is_never_negative
+from numerics.errors import NotSettled
+from numerics.scene import Pair, Piece
+from numerics.scene.decimals import short
+
+_NEWTON, _MOST_PARTS, _TERMS, _CHECKS, _HALVINGS, _LEAST_STEP = 12, 400, 39, 8, 16, 0.9999
+_WORSE = 4
+"""Newton's method is given up where it is so many times farther from arriving than it was."""
+LITTLE = Fraction(1, 10**20)
+"""By this part the force stays below the limit of friction, so that the bodies stick beyond doubt."""
+Row = Sequence[arb | int]
+"""Coefficients of x, v, q, r, P and the limit."""
+
+
+class Arc(NamedTuple):
+    """A rule for u: the sign of w, and that of a where it is at the limit, else 0."""
+
+    sign: int
+    side: int
+
+
+class Part(NamedTuple):
+    """An arc or some of it: u/M and w (m/s^2) by the time since its start (s)."""
+
+    start: arb
+    u: arb_poly
+    w: arb_poly
+    arc: Arc
+
+
+class Motion(NamedTuple):
+    """The motion from rest with given q(0) and r(0): its parts, (x, v, q, r) at T, the largest |a| without limit."""
+
+    q: arb
+    r: arb
+    parts: list[Part]
+    end: list[arb]
+    largest: arb
+
+
+class Search(ABC):
+    """The search for a force on a pair over a distance (m) in a time (s), |a| <= most (m/s^2); `bound` proves it.
+
+    z = (x, v, q, r, P, limit), z' = free z + by_u u/M + by_w w. P = hypot(q(0), r(0)/sqrt(k)).
+    """
+
+    least: str
+    """What the force has least of."""
+
+    def __init__(self, pair: Pair, far: Fraction, until: Fraction) -> None:
+        """Take the numbers in the arithmetic of the context."""
+        self.pair, self.mass, self.until, self.most = pair, number(pair.mass), until, pair.b / pair.m2
+        self.far, self.T, self.c, self.k = map(number, (far, until, pair.a1 / pair.mass, pair.a2 / pair.mass))
+        nothing = [[0] * 6] * 3
+        self.free = arb_mat([[0, 1, 0, 0, 0, 0], [-self.k, -self.c, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0], *nothing])
+        self.by_u = arb_mat([[0], [1], [0], [0], [0], [0]])
+        self.by_w = arb_mat([[0], [0], [-self.c], [self.k], [0], [0]])
+        cause, remedy = "", ""
+        if pair.a1:
+            cause, remedy = f", or the damper a1 = {short(pair.a1)} N s/m too strong", " or a weaker damper"
+        self.not_found = NotSettled(
+            f"no force of least {self.least} was found: the time is next to the least one, or too long to search"
+            f"{cause}; give another time{remedy}"
+        )
+
+    @abstractmethod
+    def start(self) -> tuple[arb, arb]:
+        """Return q(0), r(0) of the motion that arrives where there is no limit, about."""
+
+    @abstractmethod
+    def sign(self, q: arb) -> int:
+        """Return the sign of w = -q, where u depends on it alone; else 0."""
+
+    @abstractmethod
+    def rows(self, arc: Arc) -> tuple[Row, Row]:
+        """Return u/M and w along an arc, as rows of z."""
+
+    @abstractmethod
+    def cost(self, found: Motion) -> arb:
+        """Return what a force has least of, with u/M for u."""
+
+    @abstractmethod
+    def most_velocity(self, cost: arb) -> arb:
+        """Return what |v| cannot be above, m/s, at a cost: the damper and the spring add no energy."""
+
+    @abstractmethod
+    def from_below(self, gain: arb, found: Motion) -> arb:
+        """Return what no cost is below, from a lower bound of mu D + int rho a."""
+
+    def unlimited(self, sign: int) -> arb_mat:
+        """Return a without a limit, as a row of z."""
+        u, _ = self.rows(Arc(sign, 0))
+        return arb_mat([u]) - arb_mat([[self.k, self.c, 0, 0, 0, 0]])
+
+    def arc(self, z: arb_mat) -> tuple[Arc, arb]:
+        """Return which arc goes on from z, and a without a limit."""
+        sign, limit = self.sign(z[2, 0]), z[5, 0]
+        a = (self.unlimited(sign) * z)[0, 0]
+        return Arc(sign, int(a >= limit) - int(a <= -limit)), a
+
+    def size(self, q: arb, r: arb) -> arb:
+        """Return P."""
+        return (q * q + r * r / self.k).sqrt().mid()
+
+    def follow(self, q: arb, r: arb, limit: arb) -> Motion:
+        """Return the motion whose acceleration is cut off at a limit. Raises NotSettled."""
+        start, parts, largest, size = arb(0), list[Part](), arb(0), self.size(q, r)
+        z, shortest = arb_mat([[one] for one in (0, 0, q, r, size, limit)]), number(self.until * LITTLE**2)
+        arc, _ = self.arc(z)
+        while (left := (self.T - start).mid()) > shortest:
+            step, (of_u, of_w) = left.min((1 / (self.k.sqrt() + self.c)).mid()), self.rows(arc)
+            A, terms = self.free + self.by_u * arb_mat([of_u]) + self.by_w * arb_mat([of_w]), [z]
+            for k in range(1, _TERMS):
+                terms.append(A * terms[-1] / k)
+            columns = [arb_poly([one[place, 0] for one in terms]) for place in range(6)]
+
+            def rule(t: arb, columns: list[arb_poly] = columns) -> tuple[Arc, arb]:
+                return self.arc(arb_mat([[one(t)] for one in columns]))
+
+            low = high = arb(0)
+            for k in range(1, _CHECKS + 1):
+                low, high = high, (step * k / _CHECKS).mid()
+                then, a = rule(high)
+                largest = largest.max(abs(a).mid())
+                if then != arc:
+                    high, then = self.change(arc, then, columns, rule, low, high)
+                    break
+            u, w = (_dot(row, columns) for row in (of_u, of_w))
+            parts.append(Part(start, u, arb_poly([one.mid() for one in w.coeffs()]), arc))
+            z, start, arc = ((A * high).exp() * z).mid(), (start + high).mid(), then
+            if len(parts) > _MOST_PARTS:
+                raise self.not_found
+        return Motion(q, r, parts, z.transpose().tolist()[0][:4], largest)
+
+    def change(
+        self, arc: Arc, then: Arc, columns: list[arb_poly], rule: Callable[[arb], tuple[Arc, arb]], low: arb, high: arb
+    ) -> tuple[arb, Arc]:
+        """Return the first time between two at which an arc ends, about, and the arc that follows."""
+        for _ in range(_HALVINGS):
+            middle = ((low + high) / 2).mid()
+            there, _ = rule(middle)
+            low, high, then = (middle, high, then) if there == arc else (low, middle, there)
+        f = columns[2]
+        if then.sign == arc.sign:
+            f = _dot(self.unlimited(arc.sign).tolist()[0], columns) - (then.side or arc.side) * columns[5]
+        slope, t = f.derivative(), high
+        for _ in range(_NEWTON):
+            t = (t - f(t) / slope(t)).mid().max(low).min(high)
+        return t, then
+
+    def moved(self, found: Motion, limit: arb, x: arb, v: arb) -> tuple[arb, arb]:
+        """Return the q(0), r(0) that add so much to x and v at T, to first order. Raises NotSettled."""
+        q, r = found.q, found.r
+        by = (self.size(q, r).max(self.far / self.T**2) * number(LITTLE)).mid()
+        steps = by, (by * self.k.sqrt()).mid()
+        beside = [self.follow(q + steps[0], r, limit).end, self.follow(q, r + steps[1], limit).end]
+        slopes = [
+            [(one[0] - found.end[0]) / step, (one[1] - found.end[1]) / step]
+            for one, step in zip(beside, steps, strict=True)
+        ]
+        try:
+            more = arb_mat(slopes).transpose().solve(arb_mat([[x], [v]]))
+        except ZeroDivisionError:
+            raise self.not_found from None
+        return (q + more[0, 0]).mid(), (r + more[1, 0]).mid()
+
+    def arrive(self, q: arb, r: arb, limit: arb) -> Motion:
+        """Return the motion that arrives, from q(0), r(0) near its own. Raises NotSettled."""
+        least = arb.pos_inf()
+        for _ in range(_NEWTON):
+            found = self.follow(q, r, limit)
+            x, v, *_ = found.end
+            off = abs(self.far - x) + abs(v) * self.T
+            if off < self.far * number(LITTLE**2):
+                return found
+            if not off < _WORSE * least:
+                break
+            least = least.min(off)
+            q, r = self.moved(found, limit, self.far - x, -v)
+        raise self.not_found
+
+    def force(self) -> Motion:
+        """Return the motion that arrives within the limit. Raises NotSettled."""
+        before = found = self.arrive(*self.start(), arb(10) ** 300)
+        above = limit = found.largest
+        share = arb("0.7")
+        while limit > self.limit:
+            lower = (limit * share).mid().max(self.limit)
+            on = (limit - lower) / (above - limit) if above > limit else arb(0)  # on the line through the last two
+            q, r = ((one + on * (one - other)).mid() for one, other in ((found.q, before.q), (found.r, before.r)))
+            try:
+                before, found = found, self.arrive(q, r, lower)
+                above, limit, share = limit, lower, share * share
+            except NotSettled:
+                share = share.sqrt()
+                if share > _LEAST_STEP:
+                    raise
+        return found
+
+    @property
+    def limit(self) -> arb:
+        """Return what |a| is at most in the motion that is found, m/s^2."""
+        return number(self.most * (1 - LITTLE))
+
+    def bound(self, found: Motion) -> tuple[arb, arb]:
+        """Return the cost of a force, with u/M for u, and the least that any under which the bodies stick can have.
+
+        The bound holds whatever the force is. Friction matters little where D is tiny; but at a lower cost |v| <= V,
+        and so int |a| <= V (1 + c T + k T^2), as V >= int |u/M|.
+        """
+        *_, nu, mu = found.end
+        lost = largest = once = twice = arb(0)  # S and int_t^T S at the end of a part
+        for start, length, part in reversed([*self.lengths(found)]):
+            S = _from_end(part.w, number(length), once)
+            R = _from_end(S, number(length), twice)
+            rho = part.w + self.c * S + self.k * R + nu - mu * arb_poly([number(self.until - start), -1])
+            size, high = self.total(rho, -part.arc.side, length)
+            lost, largest, once, twice = lost + size, largest.max(high), S(0), R(0)
+        cost, gain = self.cost(found), mu * self.far
+        moved = self.most_velocity(cost) * (1 + self.c * self.T + self.k * self.T**2)
+        least = self.from_below(gain - number(self.most) * lost, found)
+        return cost, least.max(cost.min(self.from_below(gain - largest * moved, found)))
+
+    def lengths(self, found: Motion) -> Iterator[tuple[Fraction, Fraction, Part]]:
+        """Yield when each part begins and how long it lasts, s, and the part."""
+        starts = [rounded(one.start) for one in found.parts]
+        for start, end, part in zip(starts, [*starts[1:], self.until], found.parts, strict=True):
+            yield start, end - start, part
+
+    def pieces(self, found: Motion) -> list[Piece]:
+        """Return the force, N, in decimals."""
+        return [Piece(rounded(one.start), [rounded(self.mass * x) for x in one.u.coeffs()]) for one in found.parts]
+
+    def total(self, p: arb_poly, sign: int, length: Fraction) -> tuple[arb, arb]:
+        """Return bounds of int |p| over a time (s), and of |p|; `sign`: that of p, but for a little; 0: p is near 0.
+
+        Raises NotSettled where p has another sign.
+        """
+        time = number(length)
+        high = sum((abs(one) * time**k for k, one in enumerate(p.coeffs())), arb(0)).upper()
+        if not sign:
+            return high * time, high
+        little = high * number(LITTLE)
+        self.require_never_negative(little + sign * p, length)
+        return 2 * little * time + sign * p.integral()(time), high
+
+    def require_never_negative(self, p: arb_poly, length: Fraction) -> None:
+        """Raise NotSettled if a polynomial is negative somewhere on [0, length]."""
+        if not is_never_negative([exact_middle(one.lower()) for one in p.coeffs()], length):
+            raise self.not_found
+
+
+def _dot(row: Row, columns: list[arb_poly]) -> arb_poly:
+    return sum((x * one for x, one in zip(row, columns, strict=True)), arb_poly([]))
+
+
+def _from_end(f: arb_poly, length: arb, after: arb) -> arb_poly:
+    """Return the integral of f from t to the end of its part, and what comes after."""
+    return after + f.integral()(length) - f.integral()
+
+
+class LeastEnergy(Search):
+    """int (u/M)^2 dt."""
+
+    least = "energy"
+
+    def start(self) -> tuple[arb, arb]:
+        """Return zeros: all is linear without a limit."""
+        return arb(0), arb(0)
+
+    def sign(self, q: arb) -> int:  # noqa: ARG002  # it depends on more than the sign
+        """Return 0."""
+        return 0
+
+    def rows(self, arc: Arc) -> tuple[Row, Row]:
+        """Return u/M = w = -q, at the limit side limit + c v + k x."""
+        u = [self.k, self.c, 0, 0, 0, arc.side] if arc.side else [0, 0, -1, 0, 0, 0]
+        return u, u
+
+    def cost(self, found: Motion) -> arb:
+        """Return int (u/M)^2 dt."""
+        squares = ((part.w * part.w).integral()(number(length)) for _, length, part in self.lengths(found))
+        return sum(squares, arb(0))
+
+    def most_velocity(self, cost: arb) -> arb:
+        """Return sqrt(T cost)."""
+        return (self.T * cost).sqrt()
+
+    def from_below(self, gain: arb, found: Motion) -> arb:
+        """Return 2 gain - int w^2."""
+        return 2 * gain - self.cost(found)
