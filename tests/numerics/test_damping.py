@@ -57,9 +57,10 @@ def test_a_light_damper_takes_a_time_like_the_root_of_its_inverse(scene, a1):
 
 
 def test_heavy_dampers_tend_to_their_limits():
-    for scene, tolerance in ((MOVING, "0.001"), (MOVING.replace(x1="-0.0005"), "0.001"), (FIGURE, "0.001")):
-        limits = damping(scene, tolerance, digits=6).heavy
-        heavy = own(scene.replace(a1="1e9"), tolerance)
+    scenes = MOVING, MOVING.replace(x1="-0.0005"), FIGURE, *(MOVING.replace(x1=x) for x in ("0.001", "-0.001"))
+    for scene in scenes:
+        limits = damping(scene, "0.001", digits=6).heavy
+        heavy = own(scene.replace(a1="1e9"), "0.001")
         assert [float(one) for one in heavy] == pytest.approx([float(one) for one in limits], abs=1e-6)
     found = damping(MOVING.replace(x1="0.01", a1="1e6"), "0.001", digits=6)
     assert not found.heavy.rest.is_finite()
