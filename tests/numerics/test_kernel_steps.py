@@ -11,9 +11,9 @@ from strategies import polynomials_of_roots
 
 from numerics import Force, Pair, Piece, Scene, State
 from numerics.linear.first_root import CLEAR, ROOT, UNDECIDED, first_root
-from numerics.linear.next_event import Step, next_event
+from numerics.linear.next_event import Next, Step, next_event
 from numerics.linear.resolve import UNDECIDED as NO_MODE
-from numerics.linear.resolve import mode_after
+from numerics.linear.resolve import arrived, mode_after
 from numerics.linear.room import form_z
 from numerics.linear.table import GUARDS, STATE, SUMS, UNIT
 
@@ -106,3 +106,12 @@ def test_what_follows_is_judged_by_the_load_that_there_is_when_a_late_event_come
         assert mode_after(run, now._replace(N=N), edge, late) == mode, (N, late)
     near = tuple(one if abs(one) > gap else UNIT * 4 * math.copysign(1, one) for one in edge)
     assert mode_after(run, now._replace(N=0.0), near, 0.0) == NO_MODE
+
+
+@pytest.mark.parametrize("own", [1e-6, 1e-4])
+def test_an_exit_that_rounding_misplaces_adds_what_the_bodies_part_until_then(own):
+    """The load grows beyond b by `slope` a second: each body's momentum is off by slope t^2/2."""
+    run, now = begun(Scene(Pair("0.4", "0.6", 1, "0.6"), State(2, 1, 0, 1), 9))
+    slope = 1e-3
+    after, _ = arrived(run, now, Next(ROOT, 1.0, 0, 0.5, slope, own))
+    assert after.N - now.N >= run.norm.kappa * slope * (own / slope) ** 2 / 2
