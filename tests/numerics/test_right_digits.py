@@ -9,10 +9,9 @@ from hypothesis import given
 from strategies import decimals, signed
 from three_scenes import DAMPED, PAPER
 
-from numerics import EventUndecided, Force, Pair, Piece, Scene, State, load_scene, solve, solve_many, solve_scenes
+from numerics import Force, Pair, Piece, Scene, State, load_scene, solve, solve_scenes
 from numerics.arithmetic.ball import Ball, widened
-from numerics.linear.errors_of import mean_speed, moved
-from numerics.linear.record import AT, END_ROW
+from numerics.linear.record import AT
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.rendering import right_digits_text
 from numerics.trajectory.status import Status
@@ -100,18 +99,10 @@ def test_bodies_that_rest_at_every_event_have_the_digits_of_their_speed_on_the_w
     assert run.right_digits >= 12
     assert balls.right_digits >= 30
     fastest = abs(run.floats(run.sol(np.linspace(0, float(scene.until), 3001)))[1]).max()
-    mean = abs(np.diff(run.floats(run.y[0])) / np.diff(run.floats(run.t))).max()
-    assert fastest / 3 < mean < fastest
-    if run.bounded:
-        off = max(run.accuracy.final[1], run.accuracy.y[:, 1].max())
-        assert run.right_digits <= -np.log10(off / fastest)
-    batch = solve_scenes([scene], keep_events=len(run.events))
-    assert batch.digits.tolist() == [min(run.right_digits, 15)]
+    assert not run.bounded or run.right_digits <= -np.log10(run.accuracy.final[1] / fastest)
+    assert solve_scenes([scene], keep_events=len(run.events)).digits.tolist() == [min(run.right_digits, 15)]
     assert solve_scenes([scene]).digits[0] >= 12
-
-
-def test_a_few_digits_of_a_body_that_rests_at_every_event_need_no_balls():
-    assert solve(load_scene("friction-damper"), digits=5).arithmetic.name == "float64"
+    assert solve(scene, digits=5).arithmetic.name == run.arithmetic.name
 
 
 # the ladder
@@ -128,17 +119,6 @@ def test_a_sequence_in_doubt_is_settled_by_the_next_arithmetic_and_nothing_is_ca
         assert solve(run.scene, digits=8).arithmetic.name == run.arithmetic.name
     assert solve(scene).arithmetic.name == "float64"
     assert solve(scene).tried == ""
-
-
-def test_an_open_sequence_is_a_status_and_no_success():
-    """Float64 that is asked for never climbs, and a batch does not, either."""
-    with pytest.raises(EventUndecided):
-        solve(next_to_an_event(PAPER), arithmetic="float64")
-    third = float(solve(PAPER).events[2].t)
-    found = solve_many(1, 1, 200, 0.5, v1=0.15, until=[third, 3.0])
-    assert found.status.tolist() == [Status.SEQUENCE_OPEN, Status.REACHED_HORIZON]
-    assert found.success.tolist() == [False, True]
-    assert found.digits[0] == 0
 
 
 @given(signed(decimals(-9, 9, 18)), decimals(-30, 5))
@@ -160,9 +140,8 @@ STOPPED = 17.006802727687074
 def test_a_soft_spring_costs_no_digits_of_positions(scene, place):
     found = solve(scene)
     assert found.success
-    assert found.right_digits > 0
-    assert found.floats(found.final_state[place]) == pytest.approx(STOPPED, rel=1e-9)
-    assert solve_scenes([scene]).success.tolist() == [True]
+    assert float(found.final_state[place]) == pytest.approx(STOPPED, rel=1e-9)
+    assert solve_scenes([scene]).success.all()
 
 
 @pytest.mark.parametrize("arithmetic", ["float64", "ball"])
@@ -201,16 +180,6 @@ def test_a_run_that_ends_where_it_began_is_a_success_without_kept_events_too():
         short = solve_scenes([scene])
         assert short.success.all()
         assert 0 < short.digits[0] <= run.right_digits
-
-
-def test_a_mean_speed_is_one_that_is_surely_attained():
-    """1 m, each place within 0.1 m, in 2 s: 0.4 m/s; nothing where the errors leave nothing."""
-    begin, end = np.zeros((2, END_ROW))
-    end[AT["x1"]], begin[AT["x1_error"]], end[AT["x1_error"]] = 1, 0.1, 0.1
-    assert mean_speed(end, begin, 0, 2.0) == mean_speed(begin, end, 0, 2.0) == pytest.approx(0.4)
-    begin[AT["x1_error"]] = 0.9
-    assert mean_speed(end, begin, 0, 2.0) == 0
-    assert moved(1e-3, 0, 0.4, 1) == pytest.approx(1e-3 / 0.4)
 
 
 @pytest.mark.parametrize("arithmetic", ["float64", "ball"])
