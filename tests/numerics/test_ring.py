@@ -1,6 +1,5 @@
 """When the relative motion stays in its ring, and what is said of all later times: against samples and runs."""
 
-import math
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
@@ -31,7 +30,6 @@ from numerics.control.pictures import draw_ring
 from numerics.control.ring import Settled, periodic_settled
 from numerics.linear.system import Motion
 from numerics.trajectory.run import run_scene
-from numerics.trajectory.status import Status
 
 CASES = [
     (load_scene("velocities"), "0.001", 1),
@@ -77,17 +75,6 @@ def test_a_motion_that_never_leaves_the_ring_is_inside_from_the_start():
     assert "sticks" in found.why
 
 
-def test_the_ring_of_a_motion_that_slowly_closes_in_is_where_it_is_so_near_to_itself_many_periods_later():
-    scene, per, periods = load_scene("forced-sine-stick-slip"), 2 * np.pi / 5, 79
-    y = solve(replace(scene, until=Fraction(120))).sol
-    entry = float(ring_entry(scene, "0.001", digits=12).entry)
-    t = np.array([entry - 1e-6, entry + 1e-6, *np.linspace(entry + 0.01, entry + 15, 400)])
-    apart = y(t) - y(t + periods * per)
-    outside = np.hypot(apart[0] - apart[2], apart[1] - apart[3]) > 0.001
-    assert outside[0]
-    assert not outside[1:].any()
-
-
 def test_what_helps_where_a_motion_is_not_known_to_settle_is_said(monkeypatch):
     monkeypatch.setattr(rings, "_FORCED", (1, 2_000))
     scene = Scene(Pair(10, 1, 1, 1, a1="0.01"), State(v1=20), 1, force=Force.step(0, "0.5"))
@@ -95,41 +82,9 @@ def test_what_helps_where_a_motion_is_not_known_to_settle_is_said(monkeypatch):
         with pytest.raises(NotSettled, match="a later horizon may help"):
             ring_entry(scene, radius)
     assert ring_entry(replace(scene, until=Fraction(3000)), "0.1").why == "the pair sticks permanently"
-    monkeypatch.setattr(rings, "periodic_settled", lambda *_: None)
-    with pytest.raises(NotSettled, match="to the periodic motion was not proved; a larger radius may not help either"):
-        ring_entry(Scene(DAMPED, State(v1=1), 1, force=Force.sine("0.5", 12)), "0.001")
 
 
 # what is said of all later times
-
-HEAVY = Pair(1, 1, 1, 1, 10)
-"""Its velocity loads the interface much more than its place does."""
-
-
-def beside_the_response(part: Fraction, omega: int, phase: Fraction, speed: Fraction) -> Scene:
-    """The heavily damped pair stuck beside its stuck response, which takes this part of the friction."""
-    amplitude = part * Fraction(math.hypot(1 - 2 * omega**2, 10 * omega)) / omega**2
-    scene = Scene(HEAVY, State(), Fraction(1, 10**5), force=Force.sine(amplitude, omega, phase))
-    at = response(scene, digits=8).one_period().initial
-    return replace(scene, initial=State(at.x1, at.v1 + speed, 0, at.v1 + speed))
-
-
-@pytest.mark.parametrize(
-    ("part", "speed", "omega", "is_said"),
-    [("0.5", "0.29", 100, False), ("-0.9", "0.05", 1000, False), ("-0.7", "-0.01", 100, True)],
-)
-def test_a_pair_that_is_said_to_have_stuck_for_ever_never_slips_again(part, speed, omega, is_said):
-    """Where it is not said, the loads of the response and of the free part beside it add up half a period later."""
-    slips = {True: [], False: []}
-    for k in range(32):
-        scene = beside_the_response(Fraction(part), omega, Fraction(k, 5), Fraction(speed))
-        run = solve(scene, arithmetic="ball", digits=10)
-        if not len(run.events):
-            later = solve(replace(scene, until=Fraction(1))).events
-            slips[run.status is Status.STUCK_FOR_EVER].append(len(later) > 0)
-    assert not any(slips[True])
-    assert (bool(slips[True]), any(slips[False])) == (is_said, not is_said)
-
 
 FAST = Scene(Pair(3, "0.5", 2_000_000, "0.5", 300), State(v1=1), Fraction("0.3"), force=Force.sine(5, 1200))
 """In a period it can slide far less, in metres, than its speed in metres a second."""

@@ -1,7 +1,6 @@
 """A trajectory speaks SciPy, is evaluated anywhere from either side, and restores the precision it used."""
 
 from dataclasses import replace
-from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -15,7 +14,6 @@ from numerics import (
     Force,
     Friction,
     Pair,
-    PrecisionExhausted,
     Scene,
     State,
     Weakening,
@@ -52,11 +50,8 @@ def test_shapes_and_names_are_those_of_scipy_and_the_columns_of_y_are_sol_at_t(a
 def test_the_cap_on_events_ends_the_evaluation():
     run = solve(PAPER, max_events=3)
     assert (run.success, run.status, len(run.events)) == (False, Status.EVENT_LIMIT, 3)
-    assert run.final_mode is run.events[-1].after
-    assert run.t[-1] == run.events[-1].t
+    assert (run.final_mode, run.t[-1]) == (run.events[-1].after, run.events[-1].t)
     assert run.sol(run.t[-1]).shape == (4,)
-    with pytest.raises(ValueError, match="outside"):
-        run.sol(2)
     count = len(solve(PAPER).events)  # a cap that is not reached changes nothing
     assert [solve(PAPER, max_events=count - k).status for k in (0, 1)] == [Status.REACHED_HORIZON, Status.EVENT_LIMIT]
 
@@ -116,16 +111,6 @@ def test_the_mode_next_to_an_event_is_right_however_short_the_slip(scene):
             assert run.mode_at(time + near) is event.after
 
 
-def test_precisions_are_restored_after_errors():
-    """Which conftest.py asks of every test."""
-    for failing in (
-        lambda: solve(PAPER, digits=300, arithmetic="ball", max_digits=100),
-        lambda: solve(PAPER, arithmetic="mpmath", digits=40).sol(99),
-    ):
-        with pytest.raises((PrecisionExhausted, ValueError)):
-            failing()
-
-
 def test_an_undecided_event_carries_its_question():
     """A horizon that is within 1e-60 of the first event: nothing can be decided in 30 digits."""
     first = solve(PAPER, digits=80, arithmetic="ball").events[0].t.mid().str(60, radius=False)
@@ -139,16 +124,7 @@ def test_an_undecided_event_carries_its_question():
 
 
 def test_progress_is_told():
-    told = []
-    solve(
-        Scene(Pair(1, 1, 200, "0.0005"), State(v1="0.15"), until=500), progress=lambda n, part: told.append((n, part))
-    )
+    told, scene = [], Scene(Pair(1, 1, 200, "0.0005"), State(v1="0.15"), until=500)
+    solve(scene, progress=lambda n, part: told.append((n, part)))
     assert told
     assert np.all(np.diff(told, axis=0) > 0)
-
-
-def test_the_time_of_the_end_is_off_by_its_rounding_and_by_its_event_where_the_run_is_cut_off():
-    run = solve(replace(PAPER, until=Fraction(1, 3)), arithmetic="float64", max_events=1)
-    assert run.end_bounds()[0] >= run.accuracy.t[-1] > 0
-    run = solve(run.scene, arithmetic="float64")
-    assert run.end_bounds()[0] >= abs(Fraction(run.end_time) - run.scene.until) > 0
