@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import brought_scenes, magnitudes
+from strategies import brought_scenes, magnitudes, weakened_scenes
 
 from numerics import (
     Friction,
@@ -33,7 +33,7 @@ GROUND = Pair(m1=1, m2="inf", a2=200, b="0.5")
 PUSH = Signal.step(0, 1)
 
 
-@given(brought_scenes())
+@given(brought_scenes() | weakened_scenes())
 def test_a_scene_of_a_new_kind_survives_its_text_and_its_copies_and_is_plain_or_forced(scene):
     for again in (parse_scene(scene_text(scene)), pickle.loads(pickle.dumps(scene)), copy.deepcopy(scene)):
         assert again == scene

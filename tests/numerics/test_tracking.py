@@ -32,12 +32,6 @@ def test_body_2_follows_by_the_reference(pair, reference):
     assert draw_tracking(found, pair).axes
 
 
-def test_what_rounded_phases_change_adds_up_over_the_pieces():
-    scene, (first,) = Scene(DAMPED, State(x2="0.25"), 3), WAVE
-    found = track(scene, (first, first.moved(1)))
-    assert found.force_error == pytest.approx(track(scene, WAVE).force_error, abs=0)
-
-
 def test_what_asks_too_much_is_named_piece_by_piece_with_how_much():
     """Pieces of the reference, and of a friction that falls in time."""
     found = track(Scene(FREE, State(), 2), (Piece(0, [0, 0, "0.2"]), Piece(1, ["0.2", "0.4", 0, "-0.2"])))
