@@ -5,16 +5,10 @@ from fractions import Fraction
 import pytest
 from enclosed_runs import EVEN, ONE_ANSWER, VANISHES, numbers, run, same, under
 from flint import arb
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from kernel_runs import moved
-from reaching import LeftOut, reaching
-from strategies import driven_scenes, scenes, weakened_scenes
 
 from numerics import (
     EventUndecided,
-    InvalidScene,
-    OutOfRange,
     Pair,
     Scene,
     State,
@@ -23,25 +17,6 @@ from numerics import (
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear.enclosed import EnclosedRun
-
-
-@pytest.mark.long  # tests/test_signals.py asks the same of fewer scenes
-@reaching
-@settings(max_examples=40)
-@given(driven_scenes() | scenes(damped=None) | weakened_scenes(), st.tuples(*[st.sampled_from([-1, 1])] * 3), st.data())
-def test_who_starts_within_a_box_stays_in_what_is_said_of_it(scene, corner, data):
-    """From its corners."""
-    width, rate = float(scene.pair.half_width), float(scene.pair.a2 / scene.pair.mass) ** 0.5
-    by = Fraction(width * min(1, rate)) / data.draw(st.sampled_from([10**3, 10**5, 10**8]))
-    x1, v1, x2, v2 = (by * one for one in (*corner, -corner[1]))
-    try:
-        wide = run(scene, 40, 8, lambda digits: Box(digits, Ball.number(by)))
-        if wide.rows[0].order or not any((scene.initial.x1, scene.initial.v1, scene.initial.v2)):
-            raise LeftOut  # a tie, or a jump while it rests, decided on exact data: its neighbours are none
-        other = moved(scene, (x1, v1, x2, v2 if wide.rows[0].mode else v1))
-        assert same((scene, wide), (other, run(other, 60, 8)))
-    except (EventUndecided, OutOfRange, InvalidScene):
-        raise LeftOut from None
 
 
 def test_a_stick_that_has_died_away_keeps_its_digits():

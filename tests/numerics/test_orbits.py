@@ -13,12 +13,11 @@ from flint import arb, arb_mat
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from numerics import EventUndecided, Force, NotSettled, Pair, Piece, Scene, State, response, solve
+from numerics import EventUndecided, Force, NotSettled, Pair, Piece, Scene, State, response
 from numerics.arithmetic.ball import Ball
 from numerics.control import attraction, orbit
 from numerics.control.attraction import slide_left
 from numerics.control.orbit import Orbit, middle, one_round, solve_orbit
-from numerics.control.response import Regime
 
 ORBITS = {
     "that slips": lambda: answer(UNEVEN, "5").orbit,
@@ -88,22 +87,6 @@ def test_a_motion_is_proved_by_what_the_period_map_does_to_a_box_not_to_a_point(
     monkeypatch.setattr(orbit, "one_round", wide)
     with Ball(20).context(), pytest.raises(EventUndecided):
         solve_orbit(found.drive, found)
-
-
-@pytest.mark.parametrize(
-    ("pair", "force", "least"),
-    [
-        (Pair(1, 1, 200, "0.05", 1), Force.sine("0.3", 5) + Force.sine("0.3", "5.5"), 30),  # in 4 pi seconds
-        (Pair("1e-6", 1, 200, "0.05", 1), Force.sine("0.6", 5), 2),  # rates of 10^6/s and 200/s, slips of 0.2 s
-    ],
-)
-def test_many_events_in_a_period_and_a_light_body_1_are_followed(pair, force, least):
-    found = response(Scene(pair, State(), 1, force=force))
-    assert found.regime is Regime.STICK_SLIP
-    assert len(found.orbit.legs) > least
-    run, at = solve(found.one_period(), digits=15), found.one_period().initial
-    assert [mode.sign for mode in run.modes] == [leg.side for leg in (*found.orbit.legs, found.orbit.legs[0])]
-    assert [float(run.final_state[k]) for k in (0, 1)] == pytest.approx([float(at.x1), float(at.v1)], rel=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -2,14 +2,12 @@
 
 from functools import cache
 
-import numpy as np
 import pytest
 from sixty_digits import forced_scene
 
 from numerics import Force, Friction, Pair, Piece, Scene, Signal, State, load_scene
 from numerics.trade import switched
 from numerics.trade.contenders import CONTENDERS
-from numerics.trade.forward_euler import events_of
 from numerics.trade.judge import judge, proved
 from numerics.trade.measure import FOLDER
 from numerics.trade.switched import PeerFailed, SwitchedPair
@@ -75,11 +73,3 @@ def test_what_does_not_get_on_is_stopped(monkeypatch):
     monkeypatch.setattr(switched, "MAX_ARCS", 5)
     with pytest.raises(PeerFailed, match="in 6 arcs"):
         switched.run(SwitchedPair(PAPER), lambda own, slip, y, left: (True, 0.0, [1.0, 1.0, 0.0, 0.1, 0.0, 0.0, 0.5]))
-
-
-def test_the_chatter_of_forward_euler_is_read_as_sticking():
-    """+ + - + - inside (chatter), outside with the old sign, then the new one, then back inside with the old one."""
-    sign, load = [1, 1, -1, 1, -1, 1, 1, -1, -1, 1, -1], [0, 0, 0, 0.5, 0.5, 0.5, 1.5, 1.5, 1.2, 0.9, 0.8]
-    assert list(events_of(np.array(sign), np.array(load), 1)) == [(2, 0), (6, -1), (9, 0)]
-    crossing = events_of(np.array([0, -1, 0, 1, 1]), np.array([2.0, 2.0, -2.0, -2.0, -2.0]), -1)
-    assert list(crossing) == [(2, 1)]
