@@ -25,7 +25,6 @@ from numerics import (
     solve,
 )
 from numerics.linear.enclosed import EnclosedRun
-from numerics.scene.file import parse_scene
 from numerics.trajectory.curve import sampled
 
 mpl.use("Agg")
@@ -112,11 +111,6 @@ def test_a_steep_fall_is_solved_and_what_runs_to_no_friction_is_refused():
     ):
         with pytest.raises(InvalidScene, match=r"B \+ C <= 0 at .w. = .* z = x1 - x2"):
             solve(weakened(weakening, **at), arithmetic="ball")
-
-
-def test_two_coefficients_are_answered_by_those_of_the_pair():
-    with pytest.raises(InvalidScene, match=r"write b_static .N, the friction up to which a stick is kept"):
-        parse_scene("[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb_s = 0.5\nb_k = 0.3\n[run]\nuntil = 1\n")
 
 
 ON_A_KNOT = {
