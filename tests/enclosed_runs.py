@@ -10,7 +10,6 @@ from numerics.linear.enclosed import run_enclosed
 from numerics.linear.pieces import pieces_of
 
 LETTERS = {0: "0", 1: "+", -1: "-"}
-UNIT = Pair(m1=1, m2=1, a2=200, b="0.05")
 
 
 def run(scene, digits=40, most=1000, arithmetic=Ball):

@@ -3,23 +3,13 @@
 from fractions import Fraction
 
 import pytest
-from enclosed_runs import EVEN, ONE_ANSWER, UNIT, VANISHES, events, numbers, run, same, under
+from enclosed_runs import EVEN, ONE_ANSWER, VANISHES, numbers, run, same, under
 from flint import arb
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from kernel_runs import moved
-from reaching import LeftOut, reaching
-from sixty_digits import FORCED, forced_scene
-from strategies import driven_scenes, scenes, weakened_scenes
 
 from numerics import (
     EventUndecided,
-    Force,
-    InvalidScene,
-    Law,
-    OutOfRange,
     Pair,
-    Piece,
     Scene,
     State,
     Weakening,
@@ -27,62 +17,6 @@ from numerics import (
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear.enclosed import EnclosedRun
-from numerics.linear.pieces import pieces_of
-
-COORDINATES = ("x1", "v1", "x2", "v2")
-
-
-@settings(max_examples=40)
-@given(driven_scenes())
-def test_balls_of_few_digits_hold_those_of_many(scene):
-    try:
-        one, two = run(scene, 25, 60), run(scene, 60, 60)
-    except (EventUndecided, OutOfRange):
-        return
-    assert same((scene, one), (scene, two))
-
-
-@pytest.mark.long  # tests/test_signals.py asks the same of fewer scenes
-@reaching
-@settings(max_examples=40)
-@given(driven_scenes() | scenes(damped=None) | weakened_scenes(), st.tuples(*[st.sampled_from([-1, 1])] * 3), st.data())
-def test_who_starts_within_a_box_stays_in_what_is_said_of_it(scene, corner, data):
-    """From its corners."""
-    width, rate = float(scene.pair.half_width), float(scene.pair.a2 / scene.pair.mass) ** 0.5
-    by = Fraction(width * min(1, rate)) / data.draw(st.sampled_from([10**3, 10**5, 10**8]))
-    x1, v1, x2, v2 = (by * one for one in (*corner, -corner[1]))
-    try:
-        wide = run(scene, 40, 8, lambda digits: Box(digits, Ball.number(by)))
-        if wide.rows[0].order or not any((scene.initial.x1, scene.initial.v1, scene.initial.v2)):
-            raise LeftOut  # a tie, or a jump while it rests, decided on exact data: its neighbours are none
-        other = moved(scene, (x1, v1, x2, v2 if wide.rows[0].mode else v1))
-        assert same((scene, wide), (other, run(other, 60, 8)))
-    except (EventUndecided, OutOfRange, InvalidScene):
-        raise LeftOut from None
-
-
-@pytest.mark.parametrize("beyond", [-1, 0, 1])
-@pytest.mark.parametrize("law", Law)
-def test_a_load_that_stays_below_b_by_little_and_one_that_does_not(beyond, law):
-    """Undamped, from rest: the load swings up to a2 x1 m2/M, here b -+ 1e-25."""
-    x1 = 2 * UNIT.b / UNIT.a2 * (1 + beyond * Fraction("1e-25"))
-    scene = Scene(UNIT, State(x1=x1 / 2, v1=0, v2=0), 3, law, Force([Piece(0, [-UNIT.a2 * x1 / 2])]))
-    found = run(scene, 60)
-    assert (found.events > 0) == (beyond > 0 and law is Law.FILIPPOV)
-
-
-@pytest.mark.parametrize(
-    ("name", "jump"), [("jump-at-exit-slips", True), ("friction-jumps-onto-the-load-slips", True),
-                       ("jump-at-contact-reverses", False)]
-)  # fmt: skip
-def test_the_cause_of_an_event_where_a_piece_begins(name, jump):
-    """Stick that ends exactly where a piece begins ends by the jump; a slip that ends there ends by itself."""
-    scene = forced_scene(name)
-    pieces = pieces_of(scene)
-    row = next(row for row in events(run(scene)) if row.piece and row.local == 0)
-    assert row.jump == jump
-    assert any(one["cause"] in {"jump", "both"} for one in FORCED[name]["events"])
-    assert pieces[row.piece].is_jump
 
 
 def test_a_stick_that_has_died_away_keeps_its_digits():

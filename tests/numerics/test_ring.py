@@ -1,6 +1,5 @@
 """When the relative motion stays in its ring, and what is said of all later times: against samples and runs."""
 
-import math
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
@@ -31,14 +30,12 @@ from numerics.control.pictures import draw_ring
 from numerics.control.ring import Settled, periodic_settled
 from numerics.linear.system import Motion
 from numerics.trajectory.run import run_scene
-from numerics.trajectory.status import Status
 
 CASES = [
     (load_scene("velocities"), "0.001", 1),
     (load_scene("velocities"), "0.001", 20),
     (load_scene("start-with-speed"), "0.005", 1),
     (load_scene("itinerary-that-merges"), "0.001", 1),
-    pytest.param(load_scene("start-at-6mm"), "1e-4", 10, marks=pytest.mark.long),
     *(
         (Scene(DAMPED, State(v1=1), 5, force=force), "0.005", 1)
         for force in (Force.sine("0.2", 12), Force((Piece(0, ["0.4"]),)), Force.trapezoid(1, 0, 1, 0, 3))
@@ -58,11 +55,10 @@ def test_the_entry_is_the_last_sample_outside(scene, radius, rate):
     assert draw_ring(found).axes
 
 
-@pytest.mark.parametrize("rate", ["20", pytest.param("1/20", marks=pytest.mark.long)])
-def test_a_creeping_pair_is_inside_in_the_middle_of_every_slip_to_come(rate):
+def test_a_creeping_pair_is_inside_in_the_middle_of_every_slip_to_come():
     """Its slips get shorter and shorter: both what they add to w and what they slide must be small beside the ring."""
     scene = load_scene("start-with-speed")
-    found = ring_entry(scene, "0.001", rate=rate, digits=8)
+    found = ring_entry(scene, "0.001", rate=20, digits=8)
     run = solve(replace(scene, until=Fraction(2 * float(found.entry) + 5)))
     middles = [float(one.t + two.t) / 2 for one, two in pairwise(run.events)]
     t = np.array([at for at in middles if at > float(found.entry)])
@@ -78,58 +74,22 @@ def test_a_motion_that_never_leaves_the_ring_is_inside_from_the_start():
 
 
 def test_the_ring_of_a_motion_that_slowly_closes_in_is_where_it_is_so_near_to_itself_many_periods_later():
-    scene, per, periods = load_scene("forced-sine-stick-slip"), 2 * np.pi / 5, 79
-    y = solve(replace(scene, until=Fraction(120))).sol
-    entry = float(ring_entry(scene, "0.001", digits=12).entry)
+    scene, later = load_scene("forced-sine-stick-slip"), 79 * 2 * np.pi / 5
+    run, entry = solve(replace(scene, until=120)), float(ring_entry(scene, "0.001", digits=12).entry)
     t = np.array([entry - 1e-6, entry + 1e-6, *np.linspace(entry + 0.01, entry + 15, 400)])
-    apart = y(t) - y(t + periods * per)
-    outside = np.hypot(apart[0] - apart[2], apart[1] - apart[3]) > 0.001
-    assert outside[0]
-    assert not outside[1:].any()
+    apart = run.sol(t) - run.sol(t + later)
+    assert (np.hypot(apart[0] - apart[2], apart[1] - apart[3]) > 0.001).tolist() == [True, *[False] * 401]
 
 
 def test_what_helps_where_a_motion_is_not_known_to_settle_is_said(monkeypatch):
     monkeypatch.setattr(rings, "_FORCED", (1, 2_000))
     scene = Scene(Pair(10, 1, 1, 1, a1="0.01"), State(v1=20), 1, force=Force.step(0, "0.5"))
-    for radius in ("0.1", 1000):
-        with pytest.raises(NotSettled, match="a later horizon may help"):
-            ring_entry(scene, radius)
+    with pytest.raises(NotSettled, match="a later horizon may help"):
+        ring_entry(scene, "0.1")
     assert ring_entry(replace(scene, until=Fraction(3000)), "0.1").why == "the pair sticks permanently"
-    monkeypatch.setattr(rings, "periodic_settled", lambda *_: None)
-    with pytest.raises(NotSettled, match="to the periodic motion was not proved; a larger radius may not help either"):
-        ring_entry(Scene(DAMPED, State(v1=1), 1, force=Force.sine("0.5", 12)), "0.001")
 
 
 # what is said of all later times
-
-HEAVY = Pair(1, 1, 1, 1, 10)
-"""Its velocity loads the interface much more than its place does."""
-
-
-def beside_the_response(part: Fraction, omega: int, phase: Fraction, speed: Fraction) -> Scene:
-    """The heavily damped pair stuck beside its stuck response, which takes this part of the friction."""
-    amplitude = part * Fraction(math.hypot(1 - 2 * omega**2, 10 * omega)) / omega**2
-    scene = Scene(HEAVY, State(), Fraction(1, 10**5), force=Force.sine(amplitude, omega, phase))
-    at = response(scene, digits=8).one_period().initial
-    return replace(scene, initial=State(at.x1, at.v1 + speed, 0, at.v1 + speed))
-
-
-@pytest.mark.parametrize(
-    ("part", "speed", "omega", "is_said"),
-    [("0.5", "0.29", 100, False), ("-0.9", "0.05", 1000, False), ("-0.7", "-0.01", 100, True)],
-)
-def test_a_pair_that_is_said_to_have_stuck_for_ever_never_slips_again(part, speed, omega, is_said):
-    """Where it is not said, the loads of the response and of the free part beside it add up half a period later."""
-    slips = {True: [], False: []}
-    for k in range(32):
-        scene = beside_the_response(Fraction(part), omega, Fraction(k, 5), Fraction(speed))
-        run = solve(scene, arithmetic="ball", digits=10)
-        if not len(run.events):
-            later = solve(replace(scene, until=Fraction(1))).events
-            slips[run.status is Status.STUCK_FOR_EVER].append(len(later) > 0)
-    assert not any(slips[True])
-    assert (bool(slips[True]), any(slips[False])) == (is_said, not is_said)
-
 
 FAST = Scene(Pair(3, "0.5", 2_000_000, "0.5", 300), State(v1=1), Fraction("0.3"), force=Force.sine(5, 1200))
 """In a period it can slide far less, in metres, than its speed in metres a second."""

@@ -5,12 +5,10 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from differences import moved
-from flint import arb
 from scene_files import scenes_in
 
 from numerics import solve
 from numerics.arithmetic.ball import Ball, widened
-from numerics.trajectory import sensitivity
 from numerics.trajectory.saltation import Chain
 from numerics.trajectory.sensitivity import parameters
 from numerics.trajectory.variation import legs
@@ -51,14 +49,3 @@ def test_what_is_widened_holds_the_derivatives_of_points_inside(name, coordinate
                 # a point's own radius is that of 30 digits
                 near = (widened(one, two.rad()) for one, two in zip(enclosed, point, strict=True))
                 assert all(one.contains(two) for one, two in zip(near, point, strict=True))
-
-
-@pytest.mark.parametrize("worst", range(3))
-def test_the_worst_column_says_the_digits(worst):
-    with Ball(40).context():
-        columns = [[arb(1, 1e-20), arb(3, 1e-20)] for _ in range(3)]
-        columns[worst][1] = arb(2, 1e-9)
-        first, second = np.array(columns).T, np.full((2, 4, 3), arb(1, 1e-25))
-        for arrays in ((first, second), (second, first)):
-            assert sensitivity._right_digits(arrays, 40) == 9
-        assert sensitivity._right_digits((first, np.full((2, 1), arb(0, 1e-30))), 20) == 5  # it may be 0, and may not

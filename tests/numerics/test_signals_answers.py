@@ -23,6 +23,7 @@ SCENES = scenes_in("signals")
 def test_floats_are_balls_and_the_books_close(name):
     scene = SCENES[name]
     run, truth = (solve(scene, max_events=40, arithmetic=one) for one in ("float64", "ball"))
+    assert run.check().right
     times = np.linspace(0, float(run.end_time), 40)
     assert truth.floats(truth.sol(times)) == pytest.approx(run.sol(times), abs=1e-12)
     books, true = run.ledger, truth.ledger
@@ -32,8 +33,7 @@ def test_floats_are_balls_and_the_books_close(name):
             off = abs(getattr(books, part) - truth.arithmetic.to_float(getattr(true, part)))
             assert off <= books.error + 1e-14 * (1 + books.friction)
     assert abs(books.residual) <= 6 * books.error + 1e-14
-    assert run.energy == pytest.approx(truth.floats(truth.energy), abs=1e-12)
-    assert len(run.to_dataframe()) == len(truth.to_csv().splitlines()) - 1 + 1
+    assert len(run.to_dataframe()) == len(truth.to_csv().splitlines())
     run.plot("energy")
 
 

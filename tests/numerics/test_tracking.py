@@ -5,15 +5,12 @@ from fractions import Fraction
 import pytest
 from control_scenes import DAMPED, FREE, referred
 from flint import arb
-from hypothesis import given
-from hypothesis import strategies as st
-from strategies import decimals
 
 from numerics import Friction, Pair, Piece, Scene, Sine, State, load_reference, load_scene
 from numerics.arithmetic.ball import Ball
 from numerics.control.pictures import draw_tracking
 from numerics.control.tracking import track
-from numerics.scene.largest import largest_size, over
+from numerics.scene.largest import over
 
 S_CURVE = (Piece(0, ["0.25", 0, "0.1"]), Piece(1, ["0.35", "0.2", 0, "-0.01"]), Piece(2, ["0.54", "0.17", "-0.03"]))
 
@@ -30,12 +27,6 @@ def test_body_2_follows_by_the_reference(pair, reference):
         goal = over(reference[-1])(arb(3))
         assert abs(run.x2 - goal) < arb(10) ** -30
     assert draw_tracking(found, pair).axes
-
-
-def test_what_rounded_phases_change_adds_up_over_the_pieces():
-    scene, (first,) = Scene(DAMPED, State(x2="0.25"), 3), WAVE
-    found = track(scene, (first, first.moved(1)))
-    assert found.force_error == pytest.approx(track(scene, WAVE).force_error, abs=0)
 
 
 def test_what_asks_too_much_is_named_piece_by_piece_with_how_much():
@@ -91,18 +82,6 @@ def test_the_limit_itself_can_be_followed_and_no_more(reference, until, b, possi
         assert float(found.demands[0].force) == pytest.approx(0.528, abs=1e-3)
     else:
         assert found.is_at_limit
-
-
-@given(st.lists(decimals(-1, 1, 2), min_size=1, max_size=4), decimals(-1, 1, 2), decimals(-1, 0, 2))
-def test_the_largest_size_bounds_samples_and_is_reached(coefficients, omega, amplitude):
-    piece = Piece(0, [(-1) ** k * c for k, c in enumerate(coefficients)], [Sine(amplitude, omega)])
-    with Ball(20).context():
-        function = over(piece)
-        peak, where = largest_size(function, arb(0), arb(2), 12)
-        samples = [abs(function(Ball.number(Fraction(k, 50)))) for k in range(101)]
-        assert all(not one > peak for one in samples)
-        there = abs(function(where))
-        assert there.overlaps(peak) or abs(there - peak) < peak * arb(10) ** -11
 
 
 def test_the_shipped_references_are_what_their_comments_say():

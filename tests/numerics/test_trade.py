@@ -2,7 +2,6 @@
 
 import math
 import re
-from types import SimpleNamespace
 
 import pytest
 from flint import arb
@@ -34,9 +33,8 @@ def test_our_floats_and_balls_have_the_digits_of_their_arithmetic(place, setting
 
 def run(start, stop, *more):
     """The true run with other events in the place of some: their modes after, and their times."""
-    modes, times = ([*part[:at], *new, *part[to:]] for part, at, to, new in (
-        (MODES, start + 1, stop + 1, [mode for mode, _ in more]), (TIMES, start, stop, [time for _, time in more])
-    ))  # fmt: skip
+    modes, times = [*MODES], [*TIMES]
+    modes[start + 1 : stop + 1], times[start:stop] = [mode for mode, _ in more], [time for _, time in more]
     states = TRUTH.states[[*range(start + 1), *[start] * len(more), *range(stop + 1, COUNT + 2)]]
     return TRUTH._replace(modes=modes, times=times, states=states)
 
@@ -44,10 +42,8 @@ def run(start, stop, *more):
 PLANTED = {
     "late, and still its own": (run(4, 5, (MODES[5], TIMES[4] + AWAY * GAP * 0.49)), (COUNT, 0, 0), "$"),
     "too late": (run(4, 5, (MODES[5], TIMES[4] + AWAY * GAP * 0.51)), (COUNT - 1, 1, 1), "event 5: .* in truth"),
-    "nearer to another": (run(4, 5, (MODES[5], TIMES[4] - AWAY * GAP * 0.51)), (COUNT - 1, 1, 1), "event 5: "),
     "without a time": (run(4, 5, (MODES[5], math.nan)), (COUNT - 1, 1, 1), "event 5: .* at nan s; in truth"),
     "the last one lost": (run(COUNT - 1, COUNT), (COUNT - 1, 1, 0), f"event {COUNT}: .* to the end; in truth"),
-    "a short slip lost": (run(10, 12), (COUNT - 2, 2, 0), "event 11: "),
     "one too many": (
         run(COUNT, COUNT, ("slip+", TIMES[-1] + GAP / 9)),
         (COUNT, 0, 1),
@@ -72,7 +68,7 @@ def test_a_run_that_sticks_where_it_slips_is_wrong_without_any_event():
 
 def test_errors_are_those_that_were_planted():
     far, fast = (max(abs(x.mid()) for x in TRUTH.states[:, k::2].flat) for k in (0, 1))
-    for place, size, event in ((0, far, 7), (1, fast, -1), (2, far, -1), (3, fast, 7)):
+    for place, size, event in ((0, far, 7), (3, fast, -1)):
         states = TRUTH.states.copy()
         states[event, place] += size * arb("1e-3")
         assert judge(TRUTH._replace(states=states), TRUTH).state_digits == pytest.approx(3, abs=0.011)
@@ -80,23 +76,6 @@ def test_errors_are_those_that_were_planted():
     assert judge(late, TRUTH).time_digits == pytest.approx(7, abs=0.011)
     wide = TRUTH._replace(states=TRUTH.states + arb(0, far * arb("1e-3")))
     assert judge(TRUTH, wide).state_digits == pytest.approx(3, abs=0.011)  # what is not known is an error
-
-
-# timing
-
-
-def test_two_calls_are_timed_in_turn_and_compared_by_their_medians(monkeypatch):
-    clock, order = SimpleNamespace(now=0.0, process_time=lambda: clock.now), []
-    monkeypatch.setattr(measure, "time", clock)
-    taken = {"a": iter([*[1e-3] * 3, *[1e-4] * 2, *[9e-2] * 2, *[1e-3] * 99]), "b": iter([3e-3] * 99)}
-
-    def call(name):
-        order.append(name)
-        clock.now += next(taken[name])
-
-    ours, theirs = measure.in_turns(lambda: call("a"), lambda: call("b"))
-    assert theirs / ours == pytest.approx(3)  # in spite of the outliers
-    assert "".join(order[2:]) == "aaaaaaaaaabbb" * 6
 
 
 @pytest.mark.parametrize("stage", [0, 1])
@@ -138,11 +117,10 @@ def test_the_shipped_one_is_small_names_no_place_and_no_day_and_is_drawn():
     assert [*found.scenes] == [*measure.benchmarks()]
     assert len(draw_trade(found).axes) == 1
     assert {one.method for one in found.rows} == {one.name for one in CONTENDERS}
-    ours = [one for one in found.rows if one.ours]
-    assert [one for one in ours if one.seconds is not None and not one.right] == []
+    unanswered = [one for one in found.rows if one.ours and one.seconds is None]
+    assert all(one.right for one in found.rows if one.ours and one.seconds)
     # what has no answer says why: next to the critical energy float64 is sent to balls
-    assert {(one.scene, one.method) for one in ours if one.seconds is None} == {("near-critical-1e-12", "float64")}
-    assert all(one.note for one in ours if one.seconds is None)
+    assert [(one.scene, one.method, bool(one.note)) for one in unanswered] == [("near-critical-1e-12", "float64", True)]
 
 
 # the command
@@ -160,23 +138,8 @@ def quick(monkeypatch):
 def test_the_whole_command_on_a_scene_of_the_users(output, record, scene_file, tmp_path):
     found = record("trade", scene_file, "--digits", 40, "--plot", tmp_path / "trade.png")
     assert found["left_out"] == {"absent tool": "needs a-package-that-nobody-has (extra `comparisons`)"}
-    asked = [("float64", 0), ("balls", 15), ("balls", 40), ("forward Euler", 1000)]
-    ratios = (1.0, 2.0, 2.0, 2.0)
-    assert [tuple(one[:5]) for one in found["rows"]] == [
-        ("scene", *one, 0.002, x) for one, x in zip(asked, ratios, strict=True)
-    ]
+    asked = [("float64", 0, 1.0), ("balls", 15, 2.0), ("balls", 40, 2.0), ("forward Euler", 1000, 2.0)]
+    assert [(*one[1:3], one[4]) for one in found["rows"]] == asked
     assert (tmp_path / "trade.png").stat().st_size > 10_000
     printed = output("trade", scene_file, "--digits", 30)
-    assert "left out: absent tool: needs a-package-that-nobody-has" in printed
     assert re.search(r"float64 +2 ms +1 +\d\.\de-1\d +\d\.\de-1\d +\d+ +0 +0 *$", printed, re.MULTILINE)
-
-
-@pytest.mark.usefixtures("quick")
-@pytest.mark.parametrize(
-    ("scene", "who", "why"),
-    [("plane-rotating-force", "float64", "a surface"), ("velocities-literal", "forward Euler", "law = ")],
-)
-def test_who_does_not_know_a_scene_is_left_out(record, scene, who, why):
-    found = record("trade", scene, "--digits", 15)
-    assert why in found["left_out"][who]
-    assert "balls" in {one[1] for one in found["rows"]}

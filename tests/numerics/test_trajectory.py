@@ -1,13 +1,10 @@
 """A trajectory speaks SciPy, is evaluated anywhere from either side, and restores the precision it used."""
 
 from dataclasses import replace
-from fractions import Fraction
 
 import numpy as np
 import pytest
 from flint import arb
-from hypothesis import given
-from strategies import near_critical
 from three_scenes import PAPER
 
 from numerics import (
@@ -15,7 +12,6 @@ from numerics import (
     Force,
     Friction,
     Pair,
-    PrecisionExhausted,
     Scene,
     State,
     Weakening,
@@ -24,7 +20,6 @@ from numerics import (
 )
 from numerics.arithmetic.ball import Ball
 from numerics.linear.modes import EventKind
-from numerics.trajectory.comparison import as_fraction, require_same_sequence
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 
@@ -52,24 +47,16 @@ def test_shapes_and_names_are_those_of_scipy_and_the_columns_of_y_are_sol_at_t(a
 def test_the_cap_on_events_ends_the_evaluation():
     run = solve(PAPER, max_events=3)
     assert (run.success, run.status, len(run.events)) == (False, Status.EVENT_LIMIT, 3)
-    assert run.final_mode is run.events[-1].after
-    assert run.t[-1] == run.events[-1].t
+    assert (run.final_mode, run.t[-1]) == (run.events[-1].after, run.events[-1].t)
     assert run.sol(run.t[-1]).shape == (4,)
-    with pytest.raises(ValueError, match="outside"):
-        run.sol(2)
     count = len(solve(PAPER).events)  # a cap that is not reached changes nothing
     assert [solve(PAPER, max_events=count - k).status for k in (0, 1)] == [Status.REACHED_HORIZON, Status.EVENT_LIMIT]
 
 
 @pytest.mark.parametrize("name", ["forced-friction-by-pieces", "velocities"])
-def test_segments_of_many_pieces_and_balls_of_times_say_what_sol_says_of_each_time(name):
+def test_what_is_said_of_a_ball_of_times_holds_what_is_said_of_each(name):
     run = solve(load_scene(name), digits=20, arithmetic="ball")
     with run.arithmetic.context():
-        for segment in run.segments:
-            assert (segment.start + segment.length).overlaps(segment.end)
-            for since in (segment.length / 10, segment.length * 9 / 10):
-                pairs = zip(segment.state(since), run.sol(segment.start + since), strict=True)
-                assert all(one.overlaps(two) for one, two in pairs)
         for t in run.event_times:
             for middle in (-0.003, 0, 0.003):
                 wide = run.sol(t + middle + arb(0, 0.01))
@@ -100,32 +87,6 @@ def test_a_stick_of_thousands_of_turns_keeps_its_ledger():
         assert all(one.rad() < 1e-35 for one in run.sol(2999))
 
 
-@given(near_critical((3, 60)))
-def test_the_mode_next_to_an_event_is_right_however_short_the_slip(scene):
-    balls = solve(scene, digits=90, arithmetic="ball")
-    points = solve(scene, arithmetic="mpmath", digits=100)
-    require_same_sequence(points, balls)
-    for before, event, after in zip(points.segments, points.events, points.segments[1:], strict=False):
-        with points.arithmetic.context():
-            near = as_fraction(min(before.length, after.length)) / 1000
-        time = as_fraction(event.t)
-        if not near or time + near > scene.until:
-            continue
-        for run in (points, balls):
-            assert run.mode_at(time - near) is event.before
-            assert run.mode_at(time + near) is event.after
-
-
-def test_precisions_are_restored_after_errors():
-    """Which conftest.py asks of every test."""
-    for failing in (
-        lambda: solve(PAPER, digits=300, arithmetic="ball", max_digits=100),
-        lambda: solve(PAPER, arithmetic="mpmath", digits=40).sol(99),
-    ):
-        with pytest.raises((PrecisionExhausted, ValueError)):
-            failing()
-
-
 def test_an_undecided_event_carries_its_question():
     """A horizon that is within 1e-60 of the first event: nothing can be decided in 30 digits."""
     first = solve(PAPER, digits=80, arithmetic="ball").events[0].t.mid().str(60, radius=False)
@@ -139,16 +100,7 @@ def test_an_undecided_event_carries_its_question():
 
 
 def test_progress_is_told():
-    told = []
-    solve(
-        Scene(Pair(1, 1, 200, "0.0005"), State(v1="0.15"), until=500), progress=lambda n, part: told.append((n, part))
-    )
+    told, scene = [], Scene(Pair(1, 1, 200, "0.0005"), State(v1="0.15"), until=500)
+    solve(scene, progress=lambda n, part: told.append((n, part)))
     assert told
     assert np.all(np.diff(told, axis=0) > 0)
-
-
-def test_the_time_of_the_end_is_off_by_its_rounding_and_by_its_event_where_the_run_is_cut_off():
-    run = solve(replace(PAPER, until=Fraction(1, 3)), arithmetic="float64", max_events=1)
-    assert run.end_bounds()[0] >= run.accuracy.t[-1] > 0
-    run = solve(run.scene, arithmetic="float64")
-    assert run.end_bounds()[0] >= abs(Fraction(run.end_time) - run.scene.until) > 0

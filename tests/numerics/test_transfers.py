@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import pytest
 from control_scenes import DAMPED, FREE, arrived
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from strategies import decimals, pairs
 
@@ -40,21 +40,6 @@ def test_a_transfer_arrives_at_rest_by_the_reference(pair, distance, asked, road
     # the slip transfer stays 10^-20 inside its limits: that must not look like a tie
     run = arrived(found, distance, digits=80)
     assert (found.road, not run.events and run.mode == 0) == (road, road is not SLIP)
-
-
-@given(decimals(-4, -3, 2), st.integers(1, 9))
-@settings(max_examples=8)
-def test_more_force_is_never_slower(distance, part):
-    """Of the amplitudes for which a transfer is known, none takes longer than a smaller one, none beats the bound."""
-    known = planned(distance)
-    times = []
-    for k in range(1, 10):
-        amplitude = Fraction(float(known.stuck_amplitude)) * k / 5 * Fraction(part + 20, 21)
-        found = planned(distance, amplitude=amplitude)
-        if found.time is not None:
-            assert not found.time < found.bound
-            times.append(found.time)
-    assert all(not two > one for one, two in pairwise(times))
 
 
 AT_REST_IS_OPEN = "whether both bodies can then be at rest is open"
@@ -105,6 +90,7 @@ def test_no_force_of_a_transfer_exceeds_its_amplitude(pair, part, twentieths):
     amplitude = Fraction(float(least + (known.stuck_amplitude - least) * twentieths / 20))
     found = planned(far, pair, amplitude=amplitude)
     if found.scene is not None:
+        assert not found.time < found.bound
         times = [piece.start for piece in found.scene.force.pieces] + [found.scene.until]
         for start, end in pairwise(times):
             sizes = [abs(found.scene.force(start + (end - start) * k / 40)) for k in range(40)]
