@@ -30,7 +30,6 @@ def certificate() -> Evidence:
             cheapest.misfit() * r_acceleration + cheapest.along(cheapest.gathered()),
         ),
         transfers.gentle,
-        transfers.stuck_force,
     )
 
 

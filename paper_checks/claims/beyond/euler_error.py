@@ -1,7 +1,6 @@
 """How far forward Euler is from the motion, whatever it takes for the sign at rest; and which steps show Fig. 5 (a)."""
 
 from numerics.trajectory.events import Segment
-from paper_checks.claims.beyond.contraction import never_apart
 from paper_checks.claims.beyond.static_friction import slip_rate
 from paper_checks.claims.section_4.starts import time
 from paper_checks.claims.words import *
@@ -31,7 +30,7 @@ def local_error() -> Evidence:
             [diff(squared, x1) * v1 + diff(squared, v1) * rate, a2 * rate**2 + m1 * (diff(rate, x1) * v1) ** 2],
             [0, a2 / m1 * squared],
         ),
-        never_apart,
+        kernel.step("contraction"),
     )
 
 

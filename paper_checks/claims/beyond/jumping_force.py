@@ -1,21 +1,9 @@
 """A continuum of periodic motions under one force that jumps, without a damper."""
 
-from numerics.scene import Piece
-from paper_checks.claims.beyond.forced_modes import slip_rates, strict_rule
 from paper_checks.claims.words import *
 from theory import jumping_force as jump
 
 HALF_PI = pi / 2
-DECIMALS = 40
-"""Decimals to which force, times and places are rounded where members of the family are solved."""
-
-
-SEEN_DIGITS = 60
-"""Right digits of those solutions: a slip ends within `DECIMALS` of where the force drops, which fewer do not tell apart."""
-
-
-SHOWN = (Fraction(-55, 100), Fraction(-46, 100), Fraction(-37, 100))
-"""Speeds at the exit, m/s, of the members that are solved and drawn."""
 
 
 @cache
@@ -81,8 +69,8 @@ def sticks() -> Evidence:
             2 * sp.atan(sqrt(2)),
         ),
         slips,
-        slip_rates,
-        strict_rule,
+        kernel.step("mode-stick"),
+        kernel.step("mode-slip"),
     )
 
 
@@ -108,38 +96,4 @@ def keeps_apart() -> Evidence:
             jump.apart_squared(),
             3 * (jump.speed - jump.other_speed) ** 2,
         ),
-        seen,
     )
-
-
-def member(speed: Fraction, periods: int = 1) -> Scene:
-    """Return the member with this speed (m/s) at the exit over some periods; force, times and place to `DECIMALS`."""
-    half, pieces = jump.SLIP_TIME + jump.stick_time(), []
-    for number in range(2 * periods):
-        begin = number * half
-        pieces.append(Piece(_decimal(begin), ((-1) ** number * _decimal(jump.PUSH),)))
-        pieces.append(Piece(_decimal(begin + jump.SLIP_TIME), (0,)))
-    place = _decimal(jump.exit_state()[0].subs(jump.speed, Rational(speed)))
-    start = State(x1=place, v1=speed, v2=speed)
-    return Scene(Pair(1, 1, 1, 1), start, until=_decimal(2 * periods * half), force=Force(pieces))
-
-
-def _decimal(value: Expr | int) -> Fraction:
-    return Fraction(str(sp.N(value, DECIMALS + 5))).limit_denominator(10**DECIMALS)
-
-
-@cache
-def seen() -> Steps:
-    """Members solved in balls, rounded to many decimals: their modes, and how near they come back."""
-    found = []
-    for speed in SHOWN:
-        run = solved(member(speed), SEEN_DIGITS)
-        start, end = run.sol(0), run.sol(run.scene.until, side="left")
-        error = max((abs(end[place] - start[place]) for place in (0, 1, 3)), key=float)
-        modes = (Mode.SLIP_PLUS, Mode.STICK, Mode.SLIP_MINUS, Mode.STICK)
-        found.append(itinerary(f"$v={float(speed):g}$, in balls: slip, stick, slip, stick", run, modes).as_support())
-        back = compare(
-            "after a period it is back (largest difference, SI units)", error, "<", exact(Rational(1, 10**20))
-        )
-        found.append(back.as_support())
-    return tuple(found)

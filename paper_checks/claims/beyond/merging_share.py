@@ -8,8 +8,6 @@ import numpy as np
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 from paper_checks.claims.letters import R
-from paper_checks.claims.section_3.capture import stays_below_critical
-from paper_checks.claims.section_3.convergence import contact_again, stays_stuck
 from paper_checks.claims.words import *
 from theory.merging_share import density, dissipation, divergence, flux, large_energy_limit, level, relative, sphere
 from theory.symbols import r as share_of_q
@@ -96,22 +94,14 @@ def exact_share() -> Evidence:
         that it comes from have the measure of the flux through $S$ over the rate at which $E$ is passed; both
         half-spaces are mirror images.
         """,
-        contact_again,
-        stays_below_critical,
-        kernel.step("no-low-level"),
-        kernel.step("heavy-never-merges"),
-        identity("the flow of slip preserves volume: its divergence is 0", divergence()),
-        identity("the flux through $S$ is $(1-X)/q$", flux(), (1 - X) / q),
-        identity("$E/E_{cr}$ falls at the rate $2r\\,|V_1-V_2|$", dissipation(), 2 * r * relative),
+        *map(kernel.step, ("contact", "sticks-iff", "no-low-level", "heavy-never-merges")),
         identity(
-            "the sphere has the measure $2\\pi\\sqrt{E/(qr)}$ (units of $E_{cr}$)",
-            sphere(),
-            2 * pi * sqrt(level) / sqrt(q) / sqrt(r),
-        ),
-        identity(
-            "together: the density on the disc",
-            density(),
-            (1 - X) / relative / (2 * pi * sqrt(q) * sqrt(r) * sqrt(level)),
+            r"""
+            the flow of slip preserves volume (its divergence is 0), the flux through $S$ is $(1-X)/q$, $E/E_{cr}$ falls at the
+            rate $2r\,|V_1-V_2|$, and the sphere has the measure $2\pi\sqrt{E/(qr)}$ (units of $E_{cr}$)
+            """,
+            [divergence(), flux(), dissipation(), sphere()],
+            [0, (1 - X) / q, 2 * r * relative, 2 * pi * sqrt(level) / sqrt(q) / sqrt(r)],
         ),
         cites=("Liouville's theorem",),
     )
@@ -127,9 +117,8 @@ def just_above() -> Evidence:
         below $1+r\,\eta^2/(2K)$ to below $1$, and the pair merges. The states with $|V_1-V_2|<\eta$ are a share that
         tends to $0$ with $\eta$, uniformly up to $2E_{cr}$.
         """,
-        contact_again,
-        stays_below_critical,
-        stays_stuck,
+        kernel.step("contact"),
+        kernel.step("sticks-iff"),
         identity("$E/E_{cr}$ falls at the rate $2r\\,|V_1-V_2|$", dissipation(), 2 * r * relative),
     )
 
@@ -140,7 +129,6 @@ def limit() -> Evidence:
     return argument(
         "Where the slip has the energy $E$, $X$ and $V_1$ are bounded, so $r\\,|V_1-V_2|^2/E\\to 1$ as $E\\to\\infty$, uniformly on the disc.",
         exact_share,
-        identity("$E$ times the share tends to $\\frac{1}{2\\sqrt q}$", large_energy_limit(), 1 / (2 * sqrt(q))),
     )
 
 

@@ -1,6 +1,5 @@
 """Is creeping robust? Static friction above kinetic, by any jump, ends it; a finite slope of friction keeps its rate."""
 
-from numerics.scene import Friction, Weakening
 from paper_checks.claims.letters import limit_of_energy
 from paper_checks.claims.words import *
 from theory import finite_slope
@@ -76,28 +75,6 @@ def slope_drops_out() -> Evidence:
     )
 
 
-def one_excursion(share: Fraction, fall: int) -> Evidence:
-    """Enclose what 1/w gains in an excursion with w = 1e-8, beside the first two terms of its expansion."""
-    speed = Fraction(1, 10**4)
-    friction = Friction((), Weakening(last_slope=-fall * (1 - share)))
-    scene = Scene(Pair(share, 1 - share, 1, 1 - share), State(1, speed, 0, speed), until="0.01", friction=friction)
-    run = solved(scene, 45)
-    with run.arithmetic.context():
-        before, end = exact(Rational(speed) ** 2), run.sol(scene.until)
-        after = end[0] ** 2 + end[1] ** 2 - 1
-        gained = (1 / after - 1 / before) * exact(Rational(4 * share / (9 * (1 - share))))
-        terms = finite_slope.gain().subs({slope: fall, q: Rational(share), epsilon: Rational(speed)})
-        return compare(
-            f"$q={share}$, $k={fall}$, $w=10^{{-8}}$: the gain over its limit is within $10^{{-5}}$ of both terms",
-            abs(gained - exact(terms)),
-            "<",
-            exact(Rational(1, 10**5)),
-        ).as_support()
-
-
-CASES = [(Fraction(1, 2), 0), (Fraction(1, 2), 5), (Fraction(1, 2), -5), (Fraction(1, 5), 1), (Fraction(4, 5), 5)]
-
-
 @cache
 def next_term() -> Evidence:
     """What the slope adds to the gain, and the sum of that."""
@@ -109,7 +86,6 @@ def next_term() -> Evidence:
         exits $w$ and the time change by the factor $1+O(1/n)$.
         """,
         slope_drops_out,
-        *(one_excursion(*case) for case in CASES),
         cites=("Stolz and Cesàro",),
     )
 

@@ -1,6 +1,5 @@
 """A pair that sticks for ever under a periodic force, without a damper."""
 
-from paper_checks.claims.beyond.contraction import one_solution
 from paper_checks.claims.words import *
 from theory import forced_response as response
 from theory.forced_response import amplitude, multiple, omega
@@ -103,5 +102,5 @@ def tends_to_stuck() -> Evidence:
             -(b * sigma - force) * (v1 - v2),
         ),
         undamped_stuck,
-        one_solution,
+        kernel.step("forced-contraction"),
     )

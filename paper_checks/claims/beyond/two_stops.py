@@ -102,31 +102,3 @@ def near_last() -> Evidence:
         kernel.step("two-stop-exists"),
         kernel.step("periodic-response"),
     )
-
-
-BESIDE = Fraction(3, 10**4)
-"""How far from both thresholds, as a share of them, motions are enclosed."""
-
-
-@cache
-def beside_thresholds(damping: int) -> Evidence:
-    """The modes of the periodic motion slightly within both thresholds, and slightly outside."""
-    from numerics.control.response import response as periodic
-    from numerics.control.thresholds import thresholds
-
-    pair = Pair(1, 1, 200, "0.5", damping)
-    found = thresholds(pair, 12, digits=12)
-    ends = [Fraction(str(one.mid().str(12, radius=False))) for one in (found.entrainment, found.non_stop)]
-    sides = []
-    for amplitude in (end * (1 + side * BESIDE) for end in ends for side in (-1, 1)):
-        motion = periodic(Scene(pair, State(), 1, force=Force.sine(amplitude, 12)), digits=4)
-        sides.append([leg.side for leg in motion.orbit.legs] if motion.orbit else [])
-    two = [1, 0, -1, 0]
-    return enclosed(
-        f"$m_1=m_2=1$, $a_1={damping}$, $a_2=200$, $b=0.5$, $\\omega=12$: two stops at $1.0003\\,U_*$ and $0.9997\\,U_{{**}}$, none beyond",
-        [sorted(one) for one in sides] == [[], sorted(two), sorted(two), [-1, 1]],
-        "; ".join(map(str, sides)),
-        4,
-        engine="numerics, balls",
-        supports=True,
-    )

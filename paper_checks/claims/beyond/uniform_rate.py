@@ -2,9 +2,7 @@
 
 from paper_checks.claims.beyond.rate import one_step
 from paper_checks.claims.beyond.rate_error import ranges
-from paper_checks.claims.beyond.slips import contact, depth_grows, landings, one_contact
 from paper_checks.claims.letters import R, of_share
-from paper_checks.claims.section_3.convergence import contact_again
 from paper_checks.claims.words import *
 from paper_checks.decide.balls import shown
 from theory.long_time import leading_coefficient, logarithm_weight
@@ -78,10 +76,7 @@ def few_crossings() -> Evidence:
         $d\cot(\theta/2)=h-u\leqslant\frac{\pi}{2}+\sqrt{y_0}$, as $h\leqslant\pi/2$ and $u^2\leqslant y\leqslant
         y_0$; beyond, $c\geqslant 2$. So there are at most $N$ of them, each shorter than $2\pi\sqrt q$.
         """,
-        contact,
-        one_contact,
-        landings,
-        depth_grows,
+        *map(kernel.step, ("one-contact", "gap-slip", "excursion-depth")),
         prove(
             r"$c+d\geqslant 2/q$ and $d\leqslant 1/q$ give $c\,(c+2d)\geqslant 2/q^2$ (here $k=1/q$)",
             [*crosses, GAP <= EDGE],
@@ -105,14 +100,13 @@ def from_above() -> Evidence:
         cross, of which there are at most $N$ in all. So the $n$-th exit is not after $\tau^*+(n+1)\,\pi(1+2\sqrt q)$,
         and $w$ never grows.
         """,
-        contact_again,
+        kernel.step("contact"),
         identity(
             r"the bound of a stay, in units of $1/\Omega$, is $2\sqrt{(1+w)/r}$",
             first_contact_bound() ** 2,
             4 * (1 + w) / r,
         ),
         few_crossings,
-        depth_grows,
         one_step,
     )
 

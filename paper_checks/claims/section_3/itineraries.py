@@ -2,14 +2,10 @@
 
 from numerics.trajectory.events import Event
 from numerics.trajectory.status import Status
-from paper_checks.claims.beyond.excursions import angle_of_excursion
 from paper_checks.claims.words import *
 from theory.excursion import (
-    angle,
-    excursion,
     guard_of_u,
     h,
-    half_tangent,
     half_tangent_form,
     next_excess,
 )
@@ -65,26 +61,6 @@ def last_factor_is_positive() -> Evidence:
 
 
 @cache
-def reentry_is_inside() -> Evidence:
-    """1 - X at re-entry, in the half angle."""
-    depth = half_tangent_form(1 - excursion().position).subs({half_tangent: sp.tan(angle), theta: 2 * angle})
-    return identity(
-        r"""
-        at re-entry $1-X=\frac{2q}{\sin\varphi}(\sin\varphi-\varphi\cos\varphi)$: positive, and at most $2q$ for
-        $\varphi\leqslant\pi/2$
-        """,
-        depth,
-        2 * q * (sin(angle) - angle * cos(angle)) / sin(angle),
-    )
-
-
-@cache
-def largest_excess() -> Evidence:
-    """The excess of the excursion of slip angle pi."""
-    return identity(r"$q\,h(\pi)^2=q\pi^2/4$", (q * h() ** 2).subs(theta, pi), q * LARGEST)
-
-
-@cache
 def largest_relative_speed() -> Evidence:
     """The extremum of the guard of an excursion and its value."""
     at = {theta: 2 * sp.atan(h_value)}
@@ -114,13 +90,7 @@ def relative_speed_bound(trajectory: Trajectory, after: Event) -> arb:
 
 def every_excursion() -> Steps:
     """Return the steps of `ARGUMENT` that hold for every pair with m2 <= m1."""
-    return (
-        excess_after(),
-        last_factor_is_positive(),
-        *angle_of_excursion()[1:3],
-        reentry_is_inside(),
-        largest_excess(),
-    )
+    return excess_after(), last_factor_is_positive()
 
 
 def starts_below(trajectory: Trajectory, name: str) -> Steps:
