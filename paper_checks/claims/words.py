@@ -35,8 +35,8 @@ from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.decide import kernel
 from paper_checks.decide.balls import point, precision
-from paper_checks.decide.deciders import Decide, condition, decimal, equal, equals, fails_at, implied, sharp, tends
-from paper_checks.decide.enclosure import ball, compare, exact, itinerary, rounded, solved, stuck_for_ever, text
+from paper_checks.decide.deciders import Decide, decimal, equal, equals, fails_at, implied, sharp, tends
+from paper_checks.decide.enclosure import ball, compare, itinerary, rounded, solved, stuck_for_ever, text
 from paper_checks.decide.exact import identity
 from paper_checks.decide.exhibit import exhibit, value_at
 from paper_checks.decide.polynomial import cleared, signed
@@ -59,7 +59,7 @@ from paper_checks.evidence.claim import (
 from paper_checks.evidence.clause import Clause, Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, argument, enclosed, reading
 from paper_checks.evidence.finding import carried
-from paper_checks.evidence.formula import form, latex, stating
+from paper_checks.evidence.formula import latex
 from theory import forced
 from theory.closed_forms import DampingRegime, residual, solution
 from theory.energy import critical_energy, on_surface, sigma, sigma_other, stick_rate

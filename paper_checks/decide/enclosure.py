@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
-from flint import arb, fmpq
+from flint import arb
 from sympy import Expr, Rational
 
 from numerics.linear.modes import Mode
@@ -30,12 +30,6 @@ def solved(scene: Scene, digits: int = DIGITS) -> Trajectory:
     return solve(scene, digits=digits, arithmetic="ball")
 
 
-def exact(value: Rational | int) -> arb:
-    """Return a ball around a rational number."""
-    rational = Rational(value)
-    return arb(fmpq(int(rational.p), int(rational.q)))
-
-
 def ball(expression: Expr, bits: int = 200) -> arb:
     """Return a ball around the value of a sympy constant: evaluated with guard digits, their error as its radius."""
     digits = int(bits * 0.301)
@@ -52,13 +46,6 @@ def compare(statement: str, left: arb, relation: str, right: arb) -> Evidence:
     holds, fails = {"<": (left < right, left >= right), ">": (left > right, left <= right)}[relation]
     passed = True if holds else False if fails else None
     return enclosed(statement, passed, f"{text(left)} {relation} {text(right)}")
-
-
-def within(statement: str, value: arb, lower: str, upper: str) -> Evidence:
-    """Check lower < value < upper for all points of a ball; the bounds are decimals, read exactly."""
-    low, high = exact(Rational(lower)), exact(Rational(upper))
-    inside, outside = value > low and value < high, value <= low or value >= high
-    return enclosed(statement, True if inside else False if outside else None, text(value))
 
 
 def itinerary(statement: str, trajectory: Trajectory, modes: Sequence[Mode]) -> Evidence:

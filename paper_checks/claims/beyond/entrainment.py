@@ -3,6 +3,7 @@
 from paper_checks.claims.beyond.response import natural_frequency
 from paper_checks.claims.beyond.stuck import tends_to_stuck, undamped_stuck
 from paper_checks.claims.beyond.two_stops import near_first, near_last, only_one
+from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
 from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing
@@ -68,7 +69,6 @@ def two_ends() -> Evidence:
     )
 
 
-MASS = m1 + m2
 GAIN, K, K_RATE = Symbol("G", positive=True), Symbol("k", real=True), Symbol("k'", real=True)
 RINGING = Symbol("omega_d", positive=True)
 WAVE = {K: response.square_place, K_RATE: response.square_speed}

@@ -1,6 +1,6 @@
 """Stick or slip under a force: the rule of modes, its ties, and why modes do not alternate without end."""
 
-from paper_checks.claims.letters import S, either_sign
+from paper_checks.claims.letters import MASS, S, either_sign
 from paper_checks.claims.words import *
 from theory.forced import U_RATES
 
@@ -46,9 +46,6 @@ BESIDE: dict[Symbol, Callable[[int], Expr]] = {
     ETA: lambda _: forced.gap,
     ETA_RATE: lambda _: forced.gap_rate,
 }
-
-
-MASS = m1 + m2
 
 
 def tie(order: int) -> Callable[[int], Expr]:

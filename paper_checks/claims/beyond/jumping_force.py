@@ -29,8 +29,8 @@ def slips() -> Evidence:
             diff(relative, t, 2),
             -jump.speed * cos(t) - (HALF_PI + jump.speed) * sin(t),
         ),
-        compare(r"every $v$ of the family is negative: the largest is", ball(fastest), "<", exact(0)),
-        compare(r"and every $\pi/2+v$ is positive: the smallest is", ball(HALF_PI + slowest), ">", exact(0)),
+        compare(r"every $v$ of the family is negative: the largest is", ball(fastest), "<", point(0)),
+        compare(r"and every $\pi/2+v$ is positive: the smallest is", ball(HALF_PI + slowest), ">", point(0)),
     )
 
 
@@ -60,7 +60,7 @@ def sticks() -> Evidence:
             "the largest load where a stick begins is below $b=1$",
             ball(first.subs(jump.speed, slowest)),
             "<",
-            exact(1),
+            point(1),
         ),
         compare(r"the stick turns by less than $\pi$", ball(2 * sp.atan(sqrt(2))), "<", ball(pi)),
         identity(

@@ -51,15 +51,10 @@ def bounds_error(formula: Formula) -> Evidence:
     with precision(25):
         passed = None
         if rest == 0 and all(one.is_Rational for one in factors) and formula.relation in ("<=", ">="):
-            first, second = map(point_of, factors)
+            first, second = map(point, factors)
             passed = bool(first <= low and second <= -long) if below else bool(first >= high and second >= 0)
         text = ", ".join(shown(end, 6) for end in (low, high, -long))
     return enclosed(f"${formula.latex}$", passed, f"least and largest: {text}", 2)
-
-
-def point_of(value: Rational) -> arb:
-    """Return a ball around a rational number of sympy."""
-    return point(int(value.p)) / point(int(value.q))
 
 
 DEEP, GAP, EDGE = symbols("c d k", positive=True)  # k = 1/q

@@ -109,6 +109,7 @@ def sgn_three_valued() -> Case:
             ),
             no_solution_inside,
             two_solutions,
+            compare("that slip lasts until a time $t_1>0$", first_contact, ">", point(0)),
             kernel.step("no-solution-under-control"),
         ),
         carried("same", filippov.equivalent),

@@ -4,12 +4,10 @@ from numerics.trajectory.events import Event
 from numerics.trajectory.status import Status
 from paper_checks.claims.words import *
 from theory.excursion import (
-    guard_of_u,
     h,
     half_tangent_form,
     next_excess,
 )
-from theory.fraction import in_lowest_terms
 
 LARGEST = pi**2 / 4
 """w/q of the excursion of slip angle pi: proved by `largest_excess`, used by `starts_below`."""
@@ -60,18 +58,6 @@ def last_factor_is_positive() -> Evidence:
     )
 
 
-@cache
-def largest_relative_speed() -> Evidence:
-    """The extremum of the guard of an excursion and its value."""
-    at = {theta: 2 * sp.atan(h_value)}
-    rational = [in_lowest_terms(sp.expand_trig(one.subs(at))) for one in (diff(guard_of_u(), theta), guard_of_u())]
-    return identity(
-        r"$(V_1-V_2)/\sqrt q$ is stationary at $\theta=2\arctan\nu$, with the value $-2(\nu-\arctan\nu)$",
-        rational,
-        [0, -2 * (h_value - sp.atan(h_value))],
-    )
-
-
 def first_exit(trajectory: Trajectory) -> Event:
     """Return the first exit of a trajectory; raises ValueError where it has none."""
     for event in trajectory.events:
@@ -104,7 +90,7 @@ def starts_below(trajectory: Trajectory, name: str) -> Steps:
     with trajectory.arithmetic.context():
         largest = trajectory.frame.q * ball(LARGEST)
     return (
-        compare(f"{name}: $w>0$ at the first exit", excess, ">", exact(0)),
+        compare(f"{name}: $w>0$ at the first exit", excess, ">", point(0)),
         compare(f"{name}: $w<q\\pi^2/4$ at the first exit", excess, "<", largest),
     )
 
@@ -145,7 +131,7 @@ def itinerary_that_merges(scene: Scene | None = None) -> Case:
                 trajectory.message,
                 engine="numerics, balls",
             ),
-            compare("after it, $w=E/E_{cr}-1<0$", trajectory.reduced.final.w, "<", exact(0)),
+            compare("after it, $w=E/E_{cr}-1<0$", trajectory.reduced.final.w, "<", point(0)),
         ),
         figure="itinerary-that-merges",
     )
@@ -199,10 +185,10 @@ def itinerary_that_creeps(scene: Scene | None = None) -> Case:
                 len(kinds),
                 engine="numerics, balls",
             ),
-            compare("$A_1\\in S_+$: $X>1$", trajectory.events[0].reduced.X, ">", exact(1)),
-            compare("$B_1\\in S_-$: $X<-1$", trajectory.events[1].reduced.X, "<", exact(-1)),
-            compare("$C_1\\in\\ell_+$: $V>0$", trajectory.events[3].reduced.V1, ">", exact(0)),
-            compare("$D_1\\in\\ell_-$: $V<0$", trajectory.events[5].reduced.V1, "<", exact(0)),
+            compare("$A_1\\in S_+$: $X>1$", trajectory.events[0].reduced.X, ">", point(1)),
+            compare("$B_1\\in S_-$: $X<-1$", trajectory.events[1].reduced.X, "<", point(-1)),
+            compare("$C_1\\in\\ell_+$: $V>0$", trajectory.events[3].reduced.V1, ">", point(0)),
+            compare("$D_1\\in\\ell_-$: $V<0$", trajectory.events[5].reduced.V1, "<", point(0)),
         ),
         carried("creeps", *starts_below(trajectory, "itinerary-that-creeps")),
         figure="itinerary-that-creeps",

@@ -68,10 +68,13 @@ def viscous_no_direct_effect() -> Case:
         ),
         carried(
             "tilted-strip",
-            identity(
-                "adhesion needs the interface force $-m_2(a_2x_1+a_1v_1)/(m_1+m_2)$ on body 2 (at $u=0$)",
-                free(stick().force_on_second),
-                -m2 * (a2 * x1 + a1 * v1) / (m1 + m2),
+            argument(
+                "Adhesion lasts where friction can give the force that it needs, at most $b$ in absolute value.",
+                identity(
+                    "adhesion needs the interface force $-m_2(a_2x_1+a_1v_1)/(m_1+m_2)$ on body 2 (at $u=0$)",
+                    free(stick().force_on_second),
+                    -m2 * (a2 * x1 + a1 * v1) / (m1 + m2),
+                ),
             ),
         ),
         carried(

@@ -30,9 +30,6 @@ def _later_speed() -> arb:
         return 1000 * relative_speed_bound(run, first_exit(run))
 
 
-_AFTER = (Mode.STICK, Mode.SLIP_MINUS, Mode.STICK, Mode.SLIP_PLUS)
-
-
 @claim(
     "synchronisation-time",
     "IV",

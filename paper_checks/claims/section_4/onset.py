@@ -13,10 +13,10 @@ from theory.linear import root
 from theory.model import case_study_mode
 
 
-def _level() -> sp.Rel:
+def _level() -> tuple[Expr, str, Expr]:
     """Return the condition E <= E_cr on S for the example, in x1 and the common velocity, with v^2 by itself."""
     speed = Symbol("v_1", real=True)
-    return expand(on_surface().subs(CASE_STUDY).subs(v1, speed)) <= critical_energy().subs(CASE_STUDY)
+    return expand(on_surface().subs(CASE_STUDY).subs(v1, speed)), "<=", critical_energy().subs(CASE_STUDY)
 
 
 def subcritical_level() -> Basic:
@@ -93,6 +93,12 @@ def example_stiction_never_violated() -> Case:
                 START_AT_6MM,
                 (Abs(literal), ">", b / m2),
             ),
+            compare(
+                "in Fig. 5 (a), at the first contact, $100\\,|x_1|>b/m_2=0.05$",
+                100 * abs(solved(load_scene("velocities")).events[0].y[0]),
+                ">",
+                arb("0.05"),
+            ),
         ),
         carried("slip", bracket_is_off_in_slip),
         carried("stick"),
@@ -139,13 +145,7 @@ def stays_together() -> Evidence:
             $E(0)>E_{cr}$; in the example a pair with $\dot x_1(0)=\dot x_2(0)$ stays together permanently exactly
             if «together» at the start.
             """,
-            together=Formula(
-                100 * x1**2 + Symbol("v_1", real=True) ** 2,
-                "<=",
-                b**2 / 100,
-                condition(_level),
-                sharp=True,
-            ),
+            together=sharp(100 * x1**2 + Symbol("v_1", real=True) ** 2, "<=", b**2 / 100, _level),
             kernel="sticks-iff switching-iff filippov-iff",
         ),
         clause(
@@ -189,7 +189,6 @@ def example_onset() -> Case:
 
 # A slip of the example that lasts for more than a period of body 1.
 LONG_SLIP = {**EXAMPLE_PAIR, x1: 0, v1: Rational("0.1"), v2: -1}
-DRIVEN = {**EXAMPLE_PAIR, x1: 0, v1: Rational("-0.1"), v2: Rational("-0.2")}
 
 
 def amplitude_squared(sign: int) -> Expr:

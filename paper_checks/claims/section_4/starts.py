@@ -227,7 +227,7 @@ def convergence(speed: Fraction = Fraction(15, 100)) -> Case:
                 "$b=0.05$, $\\dot x_1(0)=0.15$: the pair is at $\\dot z=0$ from "
                 f"{rounded(entry.t, 4)} s on, with an energy above $E_{{cr}}$, and slips again from {rounded(leaves.t, 4)} s on."
             ),
-            compare("with an energy above $E_{cr}$: $w=E/E_{cr}-1$", entry.reduced.w, ">", exact(0)),
+            compare("with an energy above $E_{cr}$: $w=E/E_{cr}-1$", entry.reduced.w, ">", point(0)),
         ),
         correction(dissipation.energy_rate, *starts_below(run, "b = 0.05")),
         SLOWER,

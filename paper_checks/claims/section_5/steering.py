@@ -132,7 +132,7 @@ def damping_for_tracking() -> Case:
                 "after 60 s body 2 is far from the position of the reference (m)",
                 abs(apart),
                 ">",
-                exact(Rational(1, 4)),
+                point(Rational(1, 4)),
             ),
         ),
         carried(

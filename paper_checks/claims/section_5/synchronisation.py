@@ -94,6 +94,7 @@ def finite_time_then_alternation() -> Case:
                 (v1, "=", 0),
                 (on_surface(), "<", critical_energy()),
             ),
+            stuck_for_ever("from there the pair sticks permanently", solved(scene_at(INSIDE, "1000"))),
         ),
         carried(
             "both-modes",
