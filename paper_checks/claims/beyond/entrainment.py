@@ -61,11 +61,6 @@ def two_ends() -> Evidence:
             [first, second],
             [0, forced.coupling() * load_rate],
         ),
-        identity(
-            r"at $t_s=\pi/\omega$ the end gives $v_0=-\pi b/(2m_2\omega)$",
-            response.two_stop_conditions()[2],
-            -2 * (response.exit_speed + pi * b / (2 * m2 * omega)),
-        ),
     )
 
 

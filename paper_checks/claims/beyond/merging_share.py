@@ -47,19 +47,19 @@ def outcome(share: Fraction, trajectory: Trajectory) -> str | None:
         return CREEPS if any(w > 0 and w < level for w in exits) else None
 
 
-def decided(pair: Pair, at: State) -> str:
-    """Return in float64 what becomes of a pair with L = Omega = M = 1: it merges, or creeps; "" if that stays open.
+def decided(pair: Pair, at: State) -> bool:
+    """Return in float64 whether a pair with L = Omega = M = 1 merges, up to the last of `STAGES`.
 
-    A run is made longer only until that is known: on a ray with 0 < w <= q (pi/2 - 1)^2 it never merges.
+    A run is made longer only until it is known: on a ray with 0 < w <= q (pi/2 - 1)^2 it never merges.
     """
     level = float(pair.m1) * 0.3258
     for until in STAGES:
         run = solve(Scene(pair, at, until))
         if run.status is Status.STUCK_FOR_EVER:
-            return MERGES
+            return True
         if any(one.kind is EventKind.EXIT and 0 < one.reduced.w < level for one in run.events):
-            return CREEPS
-    return ""
+            break
+    return False
 
 
 @cache
@@ -160,13 +160,10 @@ def random_states(share: Fraction, energy: Fraction, cases: int, seed: int) -> E
     pair = Pair(m1=1 - share, m2=share, a2=1, b=share)
     for _ in range(cases):
         point = [source.gauss(0, 1) for _ in range(3)]
-        scale = math.sqrt(float(energy) / sum(one**2 for one in point))
-        x, first, second = (
-            scale * one / root
-            for one, root in zip(point, (1, float(pair.m1) ** 0.5, float(pair.m2) ** 0.5), strict=True)
-        )
-        start = State(x1=Fraction(x), v1=Fraction(first), v2=Fraction(second))
-        merged += decided(pair, start) == MERGES
+        scale = math.sqrt(float(energy) / math.hypot(*point) ** 2)
+        weights = 1, float(pair.m1), float(pair.m2)
+        x, first, second = (Fraction(scale * one / weight**0.5) for one, weight in zip(point, weights, strict=True))
+        merged += decided(pair, State(x1=x, v1=first, v2=second))
     expected = by_quadrature(float(share), float(energy))
     deviation = math.sqrt(expected * (1 - expected) / cases)
     return Evidence(

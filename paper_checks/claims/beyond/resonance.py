@@ -24,11 +24,6 @@ def grows() -> Evidence:
         removes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a bounded amount.
         """,
         most_friction,
-        identity(
-            r"so $|A|$ gains $(U-4b/\pi)/(2m_1)$ in the mean",
-            response.growth_rate(),
-            (response.amplitude / 2 - 2 * b / pi) / m1,
-        ),
     )
 
 

@@ -45,11 +45,6 @@ def undamped_attraction() -> Evidence:
             [place.subs(t, 0), diff(place, t).subs(t, 0), relative],
             [0, forced.velocity_gap, forced.velocity_gap * (cos(frequency * t) - 1)],
         ),
-        identity(
-            r"in stick the load falls by $(m_2/M)a_2$ with $x_1$: equal loads are equal places",
-            diff(forced.load(), x1),
-            -m2 * a2 / (m1 + m2),
-        ),
         *map(kernel.step, ("forced-contraction", "mode-stick", "mode-slip", "mode-tie")),
     )
 

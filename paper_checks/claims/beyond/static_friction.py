@@ -3,22 +3,8 @@
 from paper_checks.claims.letters import limit_of_energy
 from paper_checks.claims.words import *
 from theory import finite_slope
-from theory.finite_slope import END, SCALED, scaled_time, slope
-from theory.forced import load
-from theory.near_critical import inverse_step
+from theory.finite_slope import SCALED, scaled_time, slope
 from theory.scaling import to_si
-from theory.symbols import r as share_of_q
-
-
-@cache
-def slip_rate() -> Evidence:
-    """Return how the relative velocity of a slip changes, by the load."""
-    there = slip(1)
-    return identity(
-        r"a slip of sign $+$ has $\ddot z=\kappa(\Lambda-b)$, $\kappa=\frac1{m_1}+\frac1{m_2}$",
-        there.acceleration1 - there.acceleration2,
-        (1 / m1 + 1 / m2) * (load() - b),
-    )
 
 
 @cache
@@ -32,7 +18,6 @@ def merges_or_tends() -> Evidence:
         to a stuck motion whose load is within $b$. Hence $E\to E_{cr}$. Where that motion has $|\Lambda|<b$ the pair
         sticks from some time on, up to $|\Lambda|=b$: it leaves $S_0$ by the rays, with $w\to 0$.
         """,
-        slip_rate,
         kernel.step("interface-synchronises"),
         kernel.step("state-well-posed"),
     )
@@ -42,7 +27,6 @@ def merges_or_tends() -> Evidence:
 def slope_drops_out() -> Evidence:
     """One excursion: in scaled time its equations tend to those of a constant friction, and its end is simple."""
     place, speed, relative = SCALED
-    end = finite_slope.path().subs({epsilon: 0, scaled_time: END})
     return argument(
         r"""
         Let $b(\cdot)=(1-g)\,b$ in a slip from a ray with the speed $\varepsilon=\sqrt w$. In the time $\varepsilon s$,
@@ -67,10 +51,6 @@ def slope_drops_out() -> Evidence:
             r"as $\varepsilon\to 0$, $y\to s^2(3-s)/(6q)$",
             finite_slope.path()[2].coeff(epsilon, 0),
             scaled_time**2 * (3 - scaled_time) / (6 * q),
-        ),
-        identity(r"$\xi=-\frac32$, $\eta=-2$ and $y=0$ at its end", end, Matrix([-Rational(3, 2), -2, 0])),
-        identity(
-            r"and with constant friction $\frac1{w'}-\frac1w\to\frac{9r}{4q}$", inverse_step(), 9 * share_of_q / (4 * q)
         ),
     )
 
@@ -162,7 +142,6 @@ def static_friction_stops_creeping() -> Case:
         duration and a least loss. Without the jump slips near $E_{cr}$ are so slow, $|\dot z|$ of the order $w^{3/2}$, that
         friction is almost $b$ in them, and they may lose arbitrarily little.
         """,
-        slip_rate,
         carried("slope", merges_or_tends, slope_drops_out),
         carried("step", next_term),
         carried("approach", next_term),

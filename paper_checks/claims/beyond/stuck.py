@@ -2,7 +2,7 @@
 
 from paper_checks.claims.words import *
 from theory import forced_response as response
-from theory.forced_response import amplitude, multiple, omega
+from theory.forced_response import multiple
 
 
 @cache
@@ -13,24 +13,6 @@ def geometric() -> Evidence:
         r"$|1-e^{i\psi}|^2=4\sin^2(\psi/2)$ with $\psi=\pi(\Omega/\omega+1)$: the ratio of the geometric mean is $1$ for odd $\Omega/\omega$ only",
         (1 - cos(angle)) ** 2 + sin(angle) ** 2,
         4 * sin(angle / 2) ** 2,
-    )
-
-
-@cache
-def stuck_response() -> Evidence:
-    """The stuck pair's response to the sine, and the friction that it needs."""
-    place = amplitude * sin(omega * t) / (a2 - total_mass() * omega**2)
-    undamped = diff(place, t, 2) - stick().acceleration1.subs(
-        {a1: 0, u: amplitude * sin(omega * t), x1: place, v1: diff(place, t)}, simultaneous=True
-    )
-    return argument(
-        r"The stuck pair is one body of mass $M$: its response has $|x_1|=U/|Z|$, $Z=a_2-M\omega^2+ia_1\omega$, and needs the friction $m_2\omega^2|x_1|\leqslant b$.",
-        identity(
-            r"force by place of the stuck pair on $e^{i\omega t}$",
-            response.stuck_impedance(),
-            a2 - total_mass() * omega**2 + sp.I * a1 * omega,
-        ),
-        identity(r"for $a_1=0$ the response is $U\sin\omega t/(a_2-M\omega^2)$", undamped),
     )
 
 
@@ -76,7 +58,6 @@ def undamped_stuck() -> Evidence:
         the mean is $\omega^2X\cos(\pi/2n)$ whatever is added, and a free oscillation attains it. If $\Omega=\omega$ the
         stuck motion grows like $t$.
         """,
-        stuck_response,
         harmonic_curve,
         geometric,
     )

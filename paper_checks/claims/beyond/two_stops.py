@@ -4,7 +4,6 @@ from paper_checks.claims.beyond.response import undamped_attraction
 from paper_checks.claims.beyond.stuck import tends_to_stuck
 from paper_checks.claims.words import *
 from theory import forced_response as response
-from theory.forced_response import slip_length
 
 OMEGA = Symbol("Omega", positive=True)
 
@@ -31,19 +30,6 @@ def only_one() -> Evidence:
 
 
 @cache
-def shape() -> Evidence:
-    """A slip with a double zero at its start and a simple one at its end."""
-    fall, since = symbols("c s", positive=True)
-    relative = fall * since**2 * (slip_length - since) / 6
-    second, third = diff(relative, since), diff(relative, since, 2)
-    return identity(
-        r"$\dot z=\frac c6s^2(t_s-s)$ has $\ddot z(t_s)=-\frac c6t_s^2$, $\dddot z(t_s)=-\frac{2c}3t_s$ and $\dddot z(0)=\frac c3t_s$",
-        [second.subs(since, slip_length), third.subs(since, slip_length), third.subs(since, 0)],
-        [-fall * slip_length**2 / 6, -2 * fall * slip_length / 3, fall * slip_length / 3],
-    )
-
-
-@cache
 def near_first() -> Evidence:
     """Short slips: their conditions tend to those of U*, and what has to be positive is."""
     return argument(
@@ -59,7 +45,6 @@ def near_first() -> Evidence:
         a motion. Its $U$ exceeds $U_*$, since up to $U_*$ no motion that slips comes back; so all $U$ slightly above $U_*$
         are taken.
         """,
-        shape,
         identity(r"where $\Lambda=b$, $\ddot z=0$ and $\dddot z=\kappa\dot\Lambda$", response.short_slip()[0]),
         same_load_rate,
         tends_to_stuck,

@@ -48,17 +48,6 @@ def mode_equations(sign: int) -> Matrix:
     return Matrix([first, second])
 
 
-def is_mode(name: str) -> Evidence:
-    """Substitute the branch's accelerations into the equations of the text's mode."""
-    found = branch_named(name)
-    motion = {acceleration1: found.acceleration1, acceleration2: found.acceleration2}
-    mode = "(i)" if name == "stick" else "(ii)"
-    return identity(
-        f"the branch {name} of (3), (4) is mode {mode} of the text",
-        mode_equations(int(found.relative_sign)).subs(motion),
-    )
-
-
 @claim(
     "modes-from-closed-form",
     "II",
@@ -134,7 +123,6 @@ def modes_from_closed_form() -> Case:
         ),
         carried(
             "branches",
-            *(is_mode(name) for name in ("stick", "slip+", "slip-")),
             *(spurious_branch(name) for name in SPURIOUS),
         ),
     )
@@ -193,12 +181,6 @@ def stiction_bracket() -> Case:
                 (Abs(stuck.acceleration1), "<=", b / m2),
                 (stuck.acceleration2, "=", stuck.acceleration1),
                 (adhesion_factor(0, -1), "=", 1),
-            ),
-            exhibit(
-                "at $x_1=0.005$, $|\\ddot x_1|=b/m_2$: (4) gives $\\ddot x_2=\\ddot x_1/2$",
-                EDGE,
-                (Abs(stuck.acceleration1), "=", b / m2),
-                (branch_named("half adhesion").acceleration2, "=", stuck.acceleration1 / 2),
             ),
         ),
         carried("brackets"),

@@ -9,9 +9,8 @@ from paper_checks.claims.section_3.itineraries import (
     starts_below,
 )
 from paper_checks.claims.section_3.sliding import width
-from paper_checks.claims.section_5.points import START_AT_6MM
+from paper_checks.claims.section_5.points import START_AT_6MM, at_rest
 from paper_checks.claims.words import *
-from paper_checks.decide.exhibit import Point
 from theory.energy import energy
 
 
@@ -43,13 +42,6 @@ SLOWER = reading(
 def literally(scene: Scene) -> Scene:
     """Return the scene under eqs (11), (12) read with the three-valued signum."""
     return replace(scene, law=Law.THREE_VALUED_SGN)
-
-
-def point_of(scene: Scene) -> Point:
-    """Return the parameters and the initial state of an undamped scene as exact values of theory's symbols."""
-    pair, at = scene.pair, scene.initial
-    values = {m1: pair.m1, m2: pair.m2, a2: pair.a2, b: pair.b, x1: at.x1, v1: at.v1, v2: at.v2}
-    return {a1: Integer(0), **{symbol: Rational(value) for symbol, value in values.items()}}
 
 
 @claim(
@@ -94,19 +86,19 @@ def point_of(scene: Scene) -> Point:
 def permanent_stiction(start: Fraction = Fraction(6, 1000)) -> Case:
     """Start from rest at `start` m: inside or outside S0 decides."""
     scene = replace(load_scene("start-at-6mm"), initial=State(x1=start))
-    point, slipping = point_of(scene), solved(scene)
+    place, slipping = at_rest(str(start)), solved(scene)
     witnesses = (
         exhibit(
             "at the start both fields point into $\\Omega_-$, $\\Phi_+\\cdot n_S<0$ and $\\Phi_-\\cdot n_S<0$: no solution stays on $S$",
-            point,
+            place,
             *((transversality(sign), "<", 0) for sign in (1, -1)),
         ),
         *starts_below(slipping, "Fig. 4 (a)"),
     )
     return because(
         (
-            f"True of (11)–(12) as printed, which have another solution too; false of (3)–(4) and of Coulomb's law. The start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m. Sticking would take a force of "
-            f"{value_at(Abs(m2 * free(stick().acceleration1)), point)} N through an interface that carries {value_at(b, point)} N. Under (3)–(4) and in "
+            f"True of (11)–(12) as printed, which have another solution too; false of (3)–(4) and of Coulomb's law. The start $x_1={value_at(x1, place)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), place)}$ m. Sticking would take a force of "
+            f"{value_at(Abs(m2 * free(stick().acceleration1)), place)} N through an interface that carries {value_at(b, place)} N. Under (3)–(4) and in "
             f"Filippov's sense the pair slips at once, sticks first at {rounded(slipping.events[0].t, 4)} s, and then sticks and slips in turn without end. Only (11)–(12) read literally, with sgn(0) = 0 and without "
             "the stiction bracket of (4), have the solution that the paper shows; it is not their only one, since the slipping "
             "solution meets (11)–(12) at all but isolated times too. Forward Euler picks the stuck one, as it starts at $\\dot z=0$ "

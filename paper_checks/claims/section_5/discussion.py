@@ -1,14 +1,11 @@
 """Section V: the two descriptions of the system, and the bound of what friction hands on."""
 
-from functools import partial
-
 from paper_checks.claims.beyond import transfers
 from paper_checks.claims.section_2.signum import under_a_force
 from paper_checks.claims.section_3 import filippov as solutions
 from paper_checks.claims.section_5.points import EXAMPLE_PAIR, START_AT_6MM
 from paper_checks.claims.words import *
 from theory.filippov import load
-from theory.fraction import in_lowest_terms
 from theory.linear import root
 from theory.model import case_study_mode
 
@@ -21,22 +18,13 @@ def _share(name: str) -> Expr:
     return sp.cancel(found.acceleration2 / found.acceleration1) * DRIVING
 
 
-def _stick_bound() -> Decide:
-    """Return how the bound of x2'' in stick is decided, for a1 >= 0 and the load p = a2 x1 + a1 v1 on S0."""
-    force = Symbol("p", real=True)
-    pull = root(load(damped=True) - force, x1)
+LOAD = Symbol("p", nonnegative=True)
+"""|a2 x1 + a1 v1|."""
 
-    def loaded() -> list[Basic]:
-        threshold, width = sp.fraction(load_threshold())
-        return [sp.Le(Abs(force) * width, threshold, evaluate=False)]
 
-    def decide(formula: Formula) -> Evidence:
-        acceleration = in_lowest_terms(sliding_field(damped=True)[2].subs(x1, pull))
-        places = [{Abs(DRIVEN): side * acceleration} for side in (1, -1)]
-        sides = [implied(loaded, partial(dict, place))(formula) for place in places]
-        return min(sides, key=lambda item: (item.passed is True, item.passed is None))
-
-    return decide
+def _by_load() -> dict[Basic, Expr]:
+    """Return |x2''| in stick by the load, for a1 >= 0."""
+    return {Abs(DRIVEN): -LOAD * sp.cancel(sliding_field(damped=True)[2] / load(damped=True))}
 
 
 @claim(
@@ -119,7 +107,9 @@ def two_descriptions() -> Case:
             "modes",
             r"in slip «slip», and in stick, on $S_0$, $\ddot x_2=\ddot x_1$ with «stick».",
             slip=equal(Abs(DRIVEN), b / m2, lambda: Abs(free(slip(1).acceleration2))),
-            stick=Formula(Abs(DRIVEN), "<=", b / m2, _stick_bound()),
+            stick=Formula(
+                Abs(DRIVEN), "<=", b / m2, implied(lambda: [signed(LOAD - load_threshold(), "<=")], _by_load)
+            ),
         ),
         clause(
             "literal",
