@@ -54,13 +54,8 @@ def _combined(part: sp.Expr, value: Callable[[sp.Expr], Value]) -> Value:
 
 
 def _power(base: Value, exponent: Value) -> Value:
-    """Return a power; a square root of a rational is exact where it can be."""
     if isinstance(exponent, fmpq) and exponent.q == 1:
         return base ** int(exponent.p)
-    if isinstance(base, fmpq) and isinstance(exponent, fmpq) and exponent.q == 2 and base >= 0:
-        top, bottom = base.p.isqrt(), base.q.isqrt()
-        if top * top == base.p and bottom * bottom == base.q:
-            return fmpq(top, bottom) ** int(exponent.p)
     ball = _ball(base)
     if isinstance(ball, arb) and not ball >= 0:
         ball = acb(ball)

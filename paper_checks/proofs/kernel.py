@@ -37,16 +37,18 @@ def why_not() -> str:
 
 
 @cache
-def _missing(search_path: str | None) -> str:
+def _said(option: str, search_path: str | None) -> str:
+    """What the compiler answers to an option; empty where it is not there."""
     coqc = shutil.which("coqc", path=search_path)
     if coqc is None:
-        return f"kernel not run: coqc is not installed (Debian: {PACKAGES})"
-    asked = subprocess.run([coqc, "-where"], capture_output=True, encoding="utf-8", check=False)
-    if asked.returncode:
-        return f"kernel not run: coqc -where fails: {asked.stderr.strip()[:200]}"
-    folders = [Path(asked.stdout.strip()) / "user-contrib" / name for name in _LIBRARIES]
-    missing = [folder.name for folder in folders if not folder.is_dir()]
-    return f"kernel not run: {' and '.join(missing)} not installed (Debian: {PACKAGES})" if missing else ""
+        return ""
+    return subprocess.run([coqc, option], capture_output=True, encoding="utf-8", check=False).stdout.strip()
+
+
+def _missing(search_path: str | None) -> str:
+    where = _said("-where", search_path)
+    missing = [name for name in _LIBRARIES if not (Path(where) / "user-contrib" / name).is_dir()] if where else ["coqc"]
+    return f"kernel not run: {' and '.join(missing)} is not installed (Debian: {PACKAGES})" if missing else ""
 
 
 def _cannot_keep() -> str:
@@ -69,19 +71,15 @@ def cache_folder() -> Path:
     return files.cache_folder() / "proofs"
 
 
-@cache
 def version(search_path: str | None) -> str:
     """What the compiler calls itself: two numbers, its own and OCaml's."""
-    coqc = shutil.which("coqc", path=search_path) or "coqc"
-    return subprocess.run([coqc, "--print-version"], capture_output=True, encoding="utf-8", check=True).stdout.strip()
+    return _said("--print-version", search_path)
 
 
 @cache
 def identity(search_path: str | None) -> str:
     """The compiler's version and a hash of the compiled libraries beside it: a proof rests on those that it requires."""
-    coqc = shutil.which("coqc", path=search_path) or "coqc"
-    asked = subprocess.run([coqc, "-where"], capture_output=True, encoding="utf-8", check=True)
-    seen = (path for path in (Path(asked.stdout.strip()) / "user-contrib").rglob("*.vo"))
+    seen = (path for path in (Path(_said("-where", search_path)) / "user-contrib").rglob("*.vo"))
     sizes = (f"{path.parent.name}/{path.name} {path.stat().st_size} {path.stat().st_mtime_ns}" for path in seen)
     return f"{version(search_path)} {digest(sorted(sizes))}"
 

@@ -8,7 +8,7 @@ from paper_checks.claims.section_3.itineraries import (
     starts_below,
 )
 from paper_checks.claims.section_4.starts import time
-from paper_checks.claims.section_4.velocities import first_contact, velocities_scene
+from paper_checks.claims.section_4.velocities import SLIPS, first_contact, velocities_scene
 from paper_checks.claims.words import *
 from paper_checks.decide.euler_in_balls import run as run_euler
 
@@ -72,6 +72,7 @@ def synchronisation_time(
     euler = " and ".join(sorted({f"{float(one):.4g}" for one in late.values() if one is not None}))
     witnesses = (
         _mode_at(run, time),
+        itinerary("twenty crossings, then stick", run, (*SLIPS, Mode.STICK)),
         *starts_below(run, "Fig. 5 (a)"),
         kernel.step("creeps-b-0.05"),
     )

@@ -158,9 +158,11 @@ def example_two_modes() -> Case:
         carried("second"),
         carried(
             "together",
-            identity("the closed form of stick satisfies (3), (4), by substitution", residual(together)),
-            identity("in it $x_1-x_2$ is constant", together.x1 - together.x2, x1_0 - x2_0),
-            identity("and $\\dot x_1=\\dot x_2$", together.v1, together.v2),
+            identity(
+                "the closed form of stick satisfies (3), (4), by substitution; in it $x_1-x_2$ is constant, and $\\dot x_1=\\dot x_2$",
+                [*residual(together), together.x1 - together.x2, together.v1],
+                [0] * len(residual(together)) + [x1_0 - x2_0, together.v2],
+            ),
             identity("undamped: $\\dot E=0$", undamped(stick_rate())),
         ),
         carried("sliding", dissipation.energy_rate, dissipation.energy_never_grows),

@@ -21,7 +21,7 @@ from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.clause import Formula
 from paper_checks.evidence.evidence import closure
 from paper_checks.evidence.finding import Verdict
-from paper_checks.running.runner import Context, decide
+from paper_checks.running.runner import Context, decide, row
 from theory.model import RELATIVE_SIGN, STICTION_SIGN
 from theory.symbols import acceleration1, b, m2
 
@@ -44,9 +44,9 @@ OTHERWISE = [
 ]
 
 
-@pytest.mark.parametrize(("row", "changed"), OTHERWISE)
-def test_another_scene_or_another_printed_formula_does_not_carry_the_verdict(row, changed):
-    claim = CHECKS[row]
+@pytest.mark.parametrize(("name", "changed"), OTHERWISE)
+def test_another_scene_or_another_printed_formula_does_not_carry_the_verdict(name, changed):
+    claim = CHECKS[name]
     assert decide(replace(claim, case=partial(claim.case, **changed)), Context()).verdict is Verdict.UNDECIDED
 
 
@@ -57,7 +57,7 @@ ADHESION = m2 * acceleration1 * (1 - sp.Abs(RELATIVE_SIGN)) * (1 - STICTION_SIGN
 
 
 @pytest.mark.parametrize(
-    ("name", "change", "more"),
+    ("place", "change", "more"),
     [
         ("driven_equation", lambda right: right - 2 * b * RELATIVE_SIGN, ()),
         ("driving_equation", lambda right: right + b * RELATIVE_SIGN, ()),
@@ -65,11 +65,11 @@ ADHESION = m2 * acceleration1 * (1 - sp.Abs(RELATIVE_SIGN)) * (1 - STICTION_SIGN
         ("driven_equation", lambda right: right + ADHESION, ("stiction-bracket",)),  # without the factor 1/2
     ],
 )
-def test_a_fault_in_the_model_turns_the_claims_that_rest_on_it(plant, name, change, more):
+def test_a_fault_in_the_model_turns_the_claims_that_rest_on_it(plant, place, change, more):
     for module in ("theory.model", *(["paper_checks.claims.section_3.filippov"] if more else [])):
-        plant(f"{module}.{name}", lambda equation: lambda: change(equation()))
-    for row in RESTING_ON_THEM.union(more):
-        assert decide(CHECKS[row], Context()).verdict is Verdict.UNDECIDED, row
+        plant(f"{module}.{place}", lambda equation: lambda: change(equation()))
+    for name in RESTING_ON_THEM.union(more):
+        assert row(CHECKS[name], decide(CHECKS[name], Context()), 0.0).finding.verdict is Verdict.UNDECIDED, name
 
 
 # what a step needs
