@@ -67,8 +67,6 @@ def _ball(value: Value) -> arb | acb:
 
 
 def _least(left: Value, right: Value) -> Value:
-    if isinstance(left, fmpq) and isinstance(right, fmpq):
-        return min(left, right)
     if isinstance(left, acb) or isinstance(right, acb):
         raise NotEvaluatedError("complex numbers have no order")
     return arb(left).min(arb(right))

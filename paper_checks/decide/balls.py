@@ -23,8 +23,3 @@ def precision(digits: int = DIGITS) -> AbstractContextManager[None]:
 def point(value: Fraction | Rational | int) -> arb:
     """Return a ball around a rational number."""
     return arb(fmpq(int(value.numerator), int(value.denominator)))
-
-
-def shown(value: arb, digits: int = DIGITS) -> str:
-    """Return a ball with all of its proved digits, at most `digits`, and its radius."""
-    return str(value.str(digits))

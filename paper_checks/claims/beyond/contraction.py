@@ -1,9 +1,8 @@
 """Two motions under one force never move apart: uniqueness, other forces, a friction that changes with time."""
 
+from paper_checks.claims.letters import DISTANCE
 from paper_checks.claims.section_3 import filippov
 from paper_checks.claims.words import *
-
-DISTANCE = Symbol("N", nonnegative=True)
 
 
 def _quotable() -> dict[Basic, Basic]:

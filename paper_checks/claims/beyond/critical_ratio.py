@@ -1,7 +1,6 @@
 """The mass ratio from which on no motion merges slightly above the critical energy."""
 
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import shown
 from paper_checks.decide.roots import enclosed_root
 from theory.excursion import angle
 from theory.merging import (
@@ -44,7 +43,7 @@ def threshold() -> Evidence:
     return enclosed(
         r"$\theta^*$, $r^*$ and both mass ratios at the threshold; $R(\theta^*)^2$ and $-\cos\theta^*$ agree with them",
         agree,
-        "; ".join(f"{name} = {shown(one)}" for name, one in numbers.items()),
+        "; ".join(f"{name} = {text(one, 50)}" for name, one in numbers.items()),
         2,
     )
 

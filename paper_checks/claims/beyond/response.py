@@ -1,6 +1,7 @@
 """The response to a periodic force: the one that attracts, and what moves body 2 on."""
 
 from paper_checks.claims.beyond import jumping_force
+from paper_checks.claims.letters import DISTANCE
 from paper_checks.claims.words import *
 from theory import jumping_force as jumping
 from theory.forced_response import natural, rates
@@ -26,8 +27,6 @@ def goes_round() -> Evidence:
 @cache
 def undamped_attraction() -> Evidence:
     """Without a damper one stick exit with a slip after it is enough, where the force is continuous at that exit."""
-    place, relative = forced.undamped_difference()
-    frequency = Symbol("omega_1", positive=True)
     return argument(
         r"""
         Let $\eta_*$ be the periodic motion, $\zeta$ a limit of another one shifted by periods: $N(\zeta-\eta_*)$ is
@@ -40,11 +39,6 @@ def undamped_attraction() -> Evidence:
         same friction or the same $\dot z$, either way $s\dot z\leqslant 0$. So $\dot z=0$ for $\zeta$ at that end, too,
         hence $\beta(\cos\omega_1t_s-1)=0$, $\beta=0$, and $\zeta=\eta_*$.
         """,
-        identity(
-            r"the difference starts as $0$ with the rate $\beta$, and $\dot z-\dot{\tilde z}$ vanishes with $\beta$ or $\cos\omega_1t=1$",
-            [place.subs(t, 0), diff(place, t).subs(t, 0), relative],
-            [0, forced.velocity_gap, forced.velocity_gap * (cos(frequency * t) - 1)],
-        ),
         *map(kernel.step, ("forced-contraction", "mode-stick", "mode-slip", "mode-tie")),
     )
 
@@ -56,9 +50,6 @@ def natural_frequency() -> Formula:
 
 AHEAD, NATURAL = Symbol("beta", real=True), Symbol("omega_1", positive=True)
 """What both velocities of one pair are ahead of those of another, and the frequency of body 1 alone."""
-
-
-DISTANCE = Symbol("N", nonnegative=True)
 
 
 @theorem(

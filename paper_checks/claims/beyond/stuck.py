@@ -6,17 +6,6 @@ from theory.forced_response import multiple
 
 
 @cache
-def geometric() -> Evidence:
-    """The size of what one factor of the series has at an integer."""
-    angle = Symbol("psi", real=True)
-    return identity(
-        r"$|1-e^{i\psi}|^2=4\sin^2(\psi/2)$ with $\psi=\pi(\Omega/\omega+1)$: the ratio of the geometric mean is $1$ for odd $\Omega/\omega$ only",
-        (1 - cos(angle)) ** 2 + sin(angle) ** 2,
-        4 * sin(angle / 2) ** 2,
-    )
-
-
-@cache
 def harmonic_curve() -> Evidence:
     """cos(phi) - share cos(n phi) is largest at pi/(2 n)."""
     phi = Symbol("phi", real=True)
@@ -36,13 +25,6 @@ def harmonic_curve() -> Evidence:
             [quotient.subs(phi, 0), diff(quotient, phi)],
             [0, (1 - multiple**2) * sin(multiple * phi) * sin(phi)],
         ),
-        identity(
-            r"at $\pm\pi/2n$ a free oscillation adds opposite values: any $A\cos n\varphi+B\sin n\varphi$ has the sum $0$ there",
-            sum(
-                (cos(multiple * one) + sin(multiple * one) for one in (pi / 2 / multiple, -pi / 2 / multiple)),
-                sp.S.Zero,
-            ),
-        ),
     )
 
 
@@ -59,7 +41,6 @@ def undamped_stuck() -> Evidence:
         stuck motion grows like $t$.
         """,
         harmonic_curve,
-        geometric,
     )
 
 

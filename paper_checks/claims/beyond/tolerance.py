@@ -1,6 +1,6 @@
 """The ring of tolerance: entered once and for good; and damping that breaks adhesion."""
 
-from paper_checks.claims.letters import MASS
+from paper_checks.claims.letters import DISTANCE, MASS
 from paper_checks.claims.section_3 import capture, filippov
 from paper_checks.claims.section_5.points import INSIDE
 from paper_checks.claims.words import *
@@ -37,7 +37,7 @@ def sticks_for_ever_below() -> Evidence:
 
 
 REST, ENERGY, LAST_ENERGY = symbols(r"z_{\infty} E E_{\infty}", real=True)
-KAPPA, DISTANCE = Symbol("kappa", positive=True), Symbol("N", nonnegative=True)
+KAPPA = Symbol("kappa", positive=True)
 
 
 @claim(

@@ -5,13 +5,10 @@ from paper_checks.claims.beyond.stuck import tends_to_stuck
 from paper_checks.claims.words import *
 from theory import forced_response as response
 
-OMEGA = Symbol("Omega", positive=True)
-
 
 @cache
 def only_one() -> Evidence:
     """Without a damper two motions with the same forces differ by a free oscillation that both slip and stick must close."""
-    beside = forced.velocity_gap / OMEGA * sin(OMEGA * t)
     return argument(
         r"""
         A limit $\zeta$ of another motion has equal loads at the exit, so equal $x_1$, and both velocities differ by one
@@ -20,12 +17,6 @@ def only_one() -> Evidence:
         exit the loads agree again, so the places do: $\frac\beta\Omega\sin\Omega t=0$ after the stick.
         """,
         undamped_attraction,
-        identity(
-            r"in stick $x_1-\tilde x_1=\frac\beta\Omega\sin\Omega t$",
-            diff(beside, t, 2),
-            -(OMEGA**2) * beside,
-        ),
-        identity(r"$\Omega^2=a_2/(m_1+m_2)$", -diff(stick().acceleration1, x1), a2 / total_mass()),
     )
 
 

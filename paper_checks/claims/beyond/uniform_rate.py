@@ -4,7 +4,6 @@ from paper_checks.claims.beyond.rate import one_step
 from paper_checks.claims.beyond.rate_error import ranges
 from paper_checks.claims.letters import R, of_share
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import shown
 from theory.long_time import leading_coefficient, logarithm_weight
 from theory.rate_bounds import first_depth, first_excess
 from theory.return_map import depth
@@ -53,8 +52,8 @@ def bounds_error(formula: Formula) -> Evidence:
         if rest == 0 and all(one.is_Rational for one in factors) and formula.relation in ("<=", ">="):
             first, second = map(point, factors)
             passed = bool(first <= low and second <= -long) if below else bool(first >= high and second >= 0)
-        text = ", ".join(shown(end, 6) for end in (low, high, -long))
-    return enclosed(f"${formula.latex}$", passed, f"least and largest: {text}", 2)
+        said = ", ".join(text(end, 6) for end in (low, high, -long))
+    return enclosed(f"${formula.latex}$", passed, f"least and largest: {said}", 2)
 
 
 DEEP, GAP, EDGE = symbols("c d k", positive=True)  # k = 1/q

@@ -1,6 +1,6 @@
 """What the paper says of its model in passing: units, the stiff limit, the energy, the parts of S, two senses of sliding."""
 
-from paper_checks.claims.letters import SIGN
+from paper_checks.claims.letters import DISTANCE, SIGN
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.section_3 import filippov
 from paper_checks.claims.words import *
@@ -61,16 +61,13 @@ def translational_or_rotational() -> Case:
         carried(
             "statement",
             identity(
-                "at the radius $R$ (3) and (4) become $1/R$ times the same equations in the letters of rotation",
-                [radius * about_an_axis(equation) for equation in equations],
-                equations,
+                r"""
+                at the radius $R$ (3) and (4) become $1/R$ times the same equations in the letters of rotation, the energy is the
+                same, and $\dot z$ and $|\ddot x_1|-b/m_2$ become $R>0$ times their counterparts: both signs are unchanged
+                """,
+                [*(radius * about_an_axis(one) for one in equations), *map(about_an_axis, (energy(), *arguments))],
+                [*equations, energy(), *(radius * one for one in arguments)],
             ),
-            identity(
-                r"and $\dot z$ and $|\ddot x_1|-b/m_2$ become $R>0$ times their counterparts: both signs are unchanged",
-                [about_an_axis(one) for one in arguments],
-                [radius * one for one in arguments],
-            ),
-            identity("and the energy is the same", about_an_axis(energy()), energy()),
         ),
     )
 
@@ -135,10 +132,10 @@ def _sliders_only_take() -> Evidence:
         """,
         deflection=equal(r"|\delta|\leqslant\delta_{\max}", b / stiffness, presliding.largest_deflection),
         distance=sharp(
-            Symbol("N", nonnegative=True) ** 2,
+            DISTANCE**2,
             "<=",
             b**2 * (5 + 2 * variation) / stiffness,
-            lambda: (Symbol("N", nonnegative=True) ** 2, "<=", presliding.distance_squared()),
+            lambda: (DISTANCE**2, "<=", presliding.distance_squared()),
         ),
     ),
 )
@@ -163,11 +160,6 @@ def stiff_limit() -> Case:
                 """,
                 _spring_against_coulomb,
                 _sliders_only_take,
-                identity(
-                    r"at $|\delta|=\delta_{\max}$ the spring has the force $b$",
-                    stiffness * presliding.largest_deflection(),
-                    b,
-                ),
                 cites=("the stop operator of a spring and slider is Lipschitz continuous (Krasnosel'skii, Pokrovskii)",),
             ),
         ),

@@ -3,11 +3,10 @@
 import pytest
 import sympy as sp
 
-from paper_checks.claims.section_5.points import EDGE, EXAMPLE_PAIR, START_AT_6MM, scene_at
+from paper_checks.claims.section_5.points import EDGE, START_AT_6MM, scene_at
 from paper_checks.decide.exhibit import exhibit, value_at
 from paper_checks.evidence.evidence import EvidenceKind
 from theory.energy import critical_energy, energy
-from theory.symbols import u
 
 x, y = sp.symbols("x y", real=True)
 
@@ -41,8 +40,3 @@ def test_a_point_and_its_scene_are_the_same_state():
         assert sp.Rational(str(scene.energy)) == energy().subs(point)
         assert sp.Rational(str(scene.pair.critical_energy)) == critical_energy().subs(point)
     assert scene_at(EDGE, "5").energy_excess == 0
-
-
-def test_a_scene_has_no_control():
-    with pytest.raises(ValueError, match="free"):
-        scene_at({**EXAMPLE_PAIR, u: 1}, "5")
