@@ -24,13 +24,17 @@ class _Printer(LatexPrinter):
         return str(super()._print_Function(expr, exp))
 
 
-def latex(expression: sp.Basic | int) -> str:
-    r"""Return LaTeX of an expression.
+def latex(expression: sp.Basic | str | int) -> str:
+    r"""Return LaTeX of an expression; a text is LaTeX already, a column is written as a row.
 
     >>> x, theta = sp.symbols("x theta")
     >>> latex(-x * sp.cos(theta) + sp.sin(theta))
     '\\sin {\\theta} - x \\cos {\\theta}'
     """
+    if isinstance(expression, str):
+        return expression
+    if isinstance(expression, sp.MatrixBase):
+        return r"\bigl(" + r",\,".join(map(latex, expression)) + r"\bigr)"
     return str(_Printer({"fold_short_frac": False}).doprint(sp.sympify(expression)))
 
 
