@@ -139,7 +139,7 @@ def compile_files(
                 else:
                     compiled.folders[name] = kept[name]
                 sorter.done(name)
-            if progress:
+            if progress and missing:
                 progress(sum(one in compiled.folders or one in compiled.broken for one in missing), len(missing))
     files.forget_unused(store, _FOLDERS)
     return compiled
