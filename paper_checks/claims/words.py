@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from itertools import pairwise
 
 import sympy as sp
 from flint import arb
@@ -30,9 +31,10 @@ from sympy import (
 )
 
 from numerics.linear.modes import EventKind, Mode
-from numerics.scene import Force, Pair, Scene, State
+from numerics.scene import Force, Law, Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Trajectory
+from paper_checks.claims.section_5.points import EDGE, EXAMPLE_PAIR, INSIDE, PULL, START_AT_6MM, at_rest, scene_at
 from paper_checks.decide import kernel
 from paper_checks.decide.balls import point, precision
 from paper_checks.decide.deciders import Decide, decimal, equal, equals, fails_at, implied, sharp, tends
@@ -62,8 +64,20 @@ from paper_checks.evidence.finding import carried
 from paper_checks.evidence.formula import latex
 from theory import forced
 from theory.closed_forms import DampingRegime, residual, solution
-from theory.energy import critical_energy, on_surface, sigma, sigma_other, stick_rate
-from theory.filippov import derivative_along, half_width, load_threshold, phi, sliding_field, transversality
-from theory.model import CASE_STUDY, branch_named, driven_equation, driving_equation, slip, stick
+from theory.energy import critical_energy, energy, on_surface, sigma, sigma_other, slip_rate, stick_rate
+from theory.filippov import derivative_along, half_width, load, load_threshold, phi, sliding_field, transversality
+from theory.linear import root
+from theory.model import (
+    CASE_STUDY,
+    RELATIVE_SIGN,
+    STICTION_SIGN,
+    branch_named,
+    case_study_mode,
+    driven_equation,
+    driving_equation,
+    free_system,
+    slip,
+    stick,
+)
 from theory.power_series import taylor
 from theory.symbols import *

@@ -1,11 +1,8 @@
 """A damper on body 1: the time T from which the pair sticks permanently, and R from which it rests, against a1."""
 
 from paper_checks.claims.letters import MASS
-from paper_checks.claims.section_5.points import EXAMPLE_PAIR, scene_at
 from paper_checks.claims.words import *
 from theory.energy import energy as stored
-from theory.energy import slip_rate
-from theory.filippov import load
 from theory.near_critical import rate_constant
 
 TIME, ROOT, REACH, WITHIN, SWING = symbols("T s X d Omega", positive=True)

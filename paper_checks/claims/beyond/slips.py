@@ -5,7 +5,6 @@ from paper_checks.claims.letters import C, H, R, in_angle
 from paper_checks.claims.words import *
 from paper_checks.decide.roots import enclosed_root
 from theory.excursion import h, half_tangent_form
-from theory.linear import root
 from theory.return_map import (
     contact_condition,
     contact_slope_residual,

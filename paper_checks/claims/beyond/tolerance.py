@@ -2,7 +2,6 @@
 
 from paper_checks.claims.letters import DISTANCE, MASS
 from paper_checks.claims.section_3 import capture, filippov
-from paper_checks.claims.section_5.points import INSIDE
 from paper_checks.claims.words import *
 from theory import forced_control as control
 from theory.forced_control import ring_ratio

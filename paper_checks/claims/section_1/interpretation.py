@@ -5,9 +5,7 @@ from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.section_3 import filippov
 from paper_checks.claims.words import *
 from theory import presliding
-from theory.energy import energy, slip_rate
 from theory.filippov import guard, surface
-from theory.model import RELATIVE_SIGN, STICTION_SIGN
 from theory.presliding import deflection, deflection_rate, slider_rate, stiffness, variation
 from theory.scaling import about_an_axis, radius
 

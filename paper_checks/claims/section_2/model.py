@@ -7,9 +7,8 @@ from paper_checks.claims.section_3.filippov import (
     spurious_branch,
     spurious_branches_leave,
 )
-from paper_checks.claims.section_5.points import EDGE, EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.claims.words import *
-from theory.model import RELATIVE_SIGN, STICTION_SIGN, Branch, branches
+from theory.model import Branch, branches
 
 Z, ADHESION = (
     Symbol(r"\mathrm{sgn}(\dot{z})", real=True),

@@ -1,10 +1,8 @@
 """The three-valued signum of (1): what (3), (4) mean with it, and what becomes of them under a force."""
 
 from paper_checks.claims.section_3 import filippov
-from paper_checks.claims.section_5.points import INSIDE
 from paper_checks.claims.words import *
 from theory.forced import held_at_the_limit, load
-from theory.model import free_system
 
 
 def under_a_force() -> tuple[Clause, ...]:

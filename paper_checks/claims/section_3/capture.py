@@ -1,7 +1,6 @@
 """Where every free motion goes: it meets the switching surface again and again, and the critical energy decides there."""
 
 from paper_checks.claims.words import *
-from theory.energy import energy
 
 
 @cache

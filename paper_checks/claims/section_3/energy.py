@@ -1,9 +1,6 @@
 """The energy: its rate, where it is dissipated, and what sliding costs."""
 
 from paper_checks.claims.words import *
-from theory.energy import energy, slip_rate
-from theory.filippov import load
-from theory.model import free_system
 
 SYNCHRONISATION = (
     r"""

@@ -3,8 +3,6 @@
 from paper_checks.claims.letters import SIGN, field
 from paper_checks.claims.words import *
 from theory.energy import contraction_terms
-from theory.filippov import load
-from theory.model import RELATIVE_SIGN, STICTION_SIGN, free_system
 
 ARGUMENT = (
     r"""

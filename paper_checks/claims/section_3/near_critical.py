@@ -1,7 +1,5 @@
 """Section III: slightly above the critical energy: durations, exits, and how slowly the energy falls."""
 
-from itertools import pairwise
-
 from paper_checks.claims.beyond.excursions import (
     EVENTUALLY,
     creeps_for_ever,

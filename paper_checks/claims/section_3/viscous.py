@@ -1,12 +1,8 @@
 """Section III with a damper: the energy, and the origin."""
 
 from paper_checks.claims.section_3 import energy as dissipation
-from paper_checks.claims.section_5.points import EXAMPLE_PAIR
 from paper_checks.claims.words import *
 from theory.closed_forms import discriminant
-from theory.energy import energy, slip_rate
-from theory.filippov import load
-from theory.model import free_system
 
 
 def _underdamped() -> Formula:

@@ -1,14 +1,8 @@
 """Section IV: the example system, its frequency and its equations."""
 
 from paper_checks.claims.section_3 import energy as dissipation
-from paper_checks.claims.section_5.points import PULL, START_AT_6MM
 from paper_checks.claims.words import *
-from theory.model import (
-    RELATIVE_SIGN,
-    case_study_closed_form,
-    case_study_eigenfrequency,
-    case_study_mode,
-)
+from theory.model import case_study_closed_form, case_study_eigenfrequency
 
 Z = Symbol(r"\mathrm{sgn}(\dot{z})", real=True)
 

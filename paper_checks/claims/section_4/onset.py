@@ -5,12 +5,8 @@ from paper_checks.claims.section_3.filippov import (
     bracket_is_off_in_slip,
     spurious_branches_leave,
 )
-from paper_checks.claims.section_5.points import EXAMPLE_PAIR, INSIDE, PULL, START_AT_6MM, scene_at
 from paper_checks.claims.words import *
 from theory.closed_forms import rate, rates
-from theory.energy import energy
-from theory.linear import root
-from theory.model import case_study_mode
 
 
 def _level() -> tuple[Expr, str, Expr]:

@@ -1,17 +1,13 @@
 """Section IV, Fig. 4: the two starts of the example, and where their relative motion goes."""
 
 from fractions import Fraction
-from itertools import pairwise
 
-from numerics.scene import Law
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.section_3.itineraries import (
     starts_below,
 )
 from paper_checks.claims.section_3.sliding import width
-from paper_checks.claims.section_5.points import START_AT_6MM, at_rest
 from paper_checks.claims.words import *
-from theory.energy import energy
 
 
 def _event(scene: str, number: int) -> Callable[[], arb]:

@@ -1,8 +1,5 @@
 """Section IV, Fig. 5 (a): the velocities, and what each cycle takes from their peaks."""
 
-from itertools import pairwise
-
-from numerics.scene import Law
 from numerics.trajectory.events import Segment
 from paper_checks.claims.section_4.starts import time
 from paper_checks.claims.words import *

@@ -3,11 +3,7 @@
 from paper_checks.claims.beyond import transfers
 from paper_checks.claims.section_2.signum import under_a_force
 from paper_checks.claims.section_3 import filippov as solutions
-from paper_checks.claims.section_5.points import EXAMPLE_PAIR, START_AT_6MM
 from paper_checks.claims.words import *
-from theory.filippov import load
-from theory.linear import root
-from theory.model import case_study_mode
 
 DRIVEN, DRIVING = symbols(r"\ddot{x}_2 \ddot{x}_1", real=True)
 

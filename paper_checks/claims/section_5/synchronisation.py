@@ -6,7 +6,6 @@ from paper_checks.claims.beyond.tolerance import sticks_for_ever_below
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.section_3 import itineraries
 from paper_checks.claims.section_3.capture import meets_surface
-from paper_checks.claims.section_5.points import EXAMPLE_PAIR, INSIDE, scene_at
 from paper_checks.claims.words import *
 from theory.energy import captive_energy
 
