@@ -34,7 +34,7 @@ from numerics.linear.modes import EventKind, Mode
 from numerics.scene import Force, Law, Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.claims.section_5.points import EDGE, EXAMPLE_PAIR, INSIDE, PULL, START_AT_6MM, at_rest, scene_at
+from paper_checks.claims.section_5.points import AT_4MM, AT_5MM, EXAMPLE_PAIR, PULL, START_AT_6MM, at_rest, scene_at
 from paper_checks.decide import kernel
 from paper_checks.decide.balls import point, precision
 from paper_checks.decide.deciders import Decide, decimal, equal, equals, fails_at, implied, sharp, tends

@@ -89,7 +89,7 @@ def ring_of_tolerance() -> Case:
             """,
             exhibit(
                 "both starts are on $S$ with $E\\leqslant E_{cr}$",
-                INSIDE,
+                AT_4MM,
                 (on_surface(), "<=", critical_energy()),
                 (v1, "=", 0),
             ),

@@ -170,13 +170,13 @@ def stiction_bracket() -> Case:
         counterexample(
             (
                 "$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$, both bodies at rest. At $x_1=0.004$, "
-                f"$|\\ddot x_1|={value_at(abs(stuck.acceleration1), INSIDE)}<b/m_2$: the printed condition is violated, and the "
-                f"bodies adhere. At $x_1=0.005$, $|\\ddot x_1|={value_at(abs(stuck.acceleration1), EDGE)}=b/m_2$: "
-                f"$\\ddot x_2={value_at(branch_named('half adhesion').acceleration2, EDGE)}=\\ddot x_1/2$."
+                f"$|\\ddot x_1|={value_at(abs(stuck.acceleration1), AT_4MM)}<b/m_2$: the printed condition is violated, and the "
+                f"bodies adhere. At $x_1=0.005$, $|\\ddot x_1|={value_at(abs(stuck.acceleration1), AT_5MM)}=b/m_2$: "
+                f"$\\ddot x_2={value_at(branch_named('half adhesion').acceleration2, AT_5MM)}=\\ddot x_1/2$."
             ),
             exhibit(
                 "at $x_1=0.004$ the condition as printed, $|\\ddot x_1|>b/m_2$, is violated, yet (4) keeps adhesion",
-                INSIDE,
+                AT_4MM,
                 (Abs(stuck.acceleration1), "<=", b / m2),
                 (stuck.acceleration2, "=", stuck.acceleration1),
                 (adhesion_factor(0, -1), "=", 1),

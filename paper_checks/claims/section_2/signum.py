@@ -43,7 +43,7 @@ def no_solution_inside() -> Evidence:
         with $\mathrm{sgn}(0)=0$ in (5)–(7), at $x_1=0.004$ at rest: both fields point to $S$, and on it $\dot
         v_1\neq\dot v_2$
         """,
-        INSIDE,
+        AT_4MM,
         (transversality(1), "<", 0),
         (transversality(-1), ">", 0),
         (literal[1] - literal[2], "!=", 0),
@@ -101,7 +101,7 @@ def sgn_three_valued() -> Case:
         counterexample(
             (
                 "$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$. (5)–(7) with $\\mathrm{sgn}(0)=0$ from $x_1=0.004$ at "
-                f"rest: $\\dot v_1={value_at(literal[1], INSIDE)}$ and $\\dot v_2=0$ on $S$, while off $S$ both fields lead back: no "
+                f"rest: $\\dot v_1={value_at(literal[1], AT_4MM)}$ and $\\dot v_2=0$ on $S$, while off $S$ both fields lead back: no "
                 "solution. (11)–(12) from $x_1=0.006$ at rest: $x_1=0.006\\cos 10t$ with $\\dot z=0$ permanently, and a slip with "
                 f"$\\dot z<0$ until $t_1=$ {text(first_contact)} s: two of its solutions. (3)–(4) with $u=1+50t^2$ from rest at 0: none."
             ),

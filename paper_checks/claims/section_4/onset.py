@@ -156,7 +156,7 @@ def stays_together() -> Evidence:
 )
 def example_onset() -> Case:
     """Exhibit starts with energy that stick for ever, and say which starts come apart."""
-    resting = solved(scene_at(INSIDE, "1000"))
+    resting = solved(scene_at(AT_4MM, "1000"))
     return because(
         r"""
         Stored energy does not ensure relative motion: from rest inside $S_0$ the pair oscillates as one body
@@ -167,13 +167,13 @@ def example_onset() -> Case:
         counterexample(
             (
                 "$b=0.5$, $x_1=0.004$, both bodies at rest: $E=$ "
-                f"${value_at(energy(), INSIDE)}<{value_at(critical_energy(), INSIDE)}=E_{{cr}}$. The motion is "
+                f"${value_at(energy(), AT_4MM)}<{value_at(critical_energy(), AT_4MM)}=E_{{cr}}$. The motion is "
                 "$x_1=0.004\\cos 10t$, $x_1-x_2$ constant, at all times; friction has to give at most "
-                f"${value_at(abs(case_study_mode(0)[1]), INSIDE)}<0.5$ N."
+                f"${value_at(abs(case_study_mode(0)[1]), AT_4MM)}<0.5$ N."
             ),
             exhibit(
                 "at $x_1=0.004$, at rest, $b=0.5$: energy is stored, but less than $E_{cr}$",
-                INSIDE,
+                AT_4MM,
                 (energy(), ">", 0),
                 (energy(), "<", critical_energy()),
             ),

@@ -23,8 +23,8 @@ def at_rest(position: str) -> dict[Symbol, Rational | int]:
 
 # The start of the paper's Fig. 4 (a), beyond the edge of S0; a point inside it; the edge itself.
 START_AT_6MM = at_rest("0.006")
-INSIDE = at_rest("0.004")
-EDGE = at_rest("0.005")
+AT_4MM = at_rest("0.004")
+AT_5MM = at_rest("0.005")
 
 
 def scene_at(point: Values, until: str) -> Scene:

@@ -89,11 +89,11 @@ def finite_time_then_alternation() -> Case:
             "The pair of Section IV with $b=0.5$, both bodies at rest at $x_1=0.004$: $\\dot z=0$ permanently in the one mode of stick, and no alternation follows.",
             exhibit(
                 "at $x_1=0.004$, at rest, $b=0.5$: $\\dot z=0$ and $E<E_{cr}$",
-                INSIDE,
+                AT_4MM,
                 (v1, "=", 0),
                 (on_surface(), "<", critical_energy()),
             ),
-            stuck_for_ever("from there the pair sticks permanently", solved(scene_at(INSIDE, "1000"))),
+            stuck_for_ever("from there the pair sticks permanently", solved(scene_at(AT_4MM, "1000"))),
         ),
         carried(
             "both-modes",

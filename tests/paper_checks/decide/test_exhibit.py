@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from paper_checks.claims.section_5.points import EDGE, START_AT_6MM, scene_at
+from paper_checks.claims.section_5.points import AT_5MM, START_AT_6MM, scene_at
 from paper_checks.decide.exhibit import exhibit, value_at
 from paper_checks.evidence.evidence import EvidenceKind
 from theory.energy import critical_energy, energy
@@ -35,8 +35,8 @@ def test_an_inexact_value_is_refused():
 
 
 def test_a_point_and_its_scene_are_the_same_state():
-    for point in (START_AT_6MM, EDGE):
+    for point in (START_AT_6MM, AT_5MM):
         scene = scene_at(point, "5")
         assert sp.Rational(str(scene.energy)) == energy().subs(point)
         assert sp.Rational(str(scene.pair.critical_energy)) == critical_energy().subs(point)
-    assert scene_at(EDGE, "5").energy_excess == 0
+    assert scene_at(AT_5MM, "5").energy_excess == 0
