@@ -26,7 +26,7 @@ def answer(solver: str, texts: Sequence[str], seconds: float) -> dict[str, Any] 
     """
     key, pipe = (os.getpid(), solver), subprocess.PIPE
     # by its file: the package loads sympy
-    command = [sys.executable, "-P", Path(__file__).with_name("worker.py"), solver]
+    command = [sys.executable, "-P", str(Path(__file__).with_name("worker.py")), solver]
     process = _STAYING.pop(key, None) or subprocess.Popen(
         command, stdin=pipe, stdout=pipe, stderr=pipe, encoding="utf-8"
     )
