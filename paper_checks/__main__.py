@@ -139,7 +139,7 @@ def _parser() -> argparse.ArgumentParser:
     source.set_defaults(command=_source)
     for command in (run, report):
         command.add_argument(
-            "--seed", type=_seed, default=0, metavar="N", help="seed of the random test points; default: %(default)s"
+            "--seed", type=int, default=0, metavar="N", help="seed of the random test points; default: %(default)s"
         )
         command.add_argument("--jobs", type=_number, metavar="N", help="number of processes; default: one per core")
         command.add_argument("--debug", action="store_true", help="print the traceback of a check that fails")
@@ -151,14 +151,6 @@ def _number(text: str) -> int:
     if not (text.isascii() and text.isdigit() and len(text) < 5 and int(text) > 0):
         raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from 1 to 9999")
     return int(text)
-
-
-def _seed(text: str) -> int:
-    """Read the seed of the random cases."""
-    try:
-        return int(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number") from None
 
 
 def _run(options: argparse.Namespace) -> int:

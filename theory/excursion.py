@@ -20,10 +20,7 @@ from sympy import (
     factor,
     fraction,
     integrate,
-    limit,
-    pi,
     rem,
-    simplify,
     sin,
     sqrt,
 )
@@ -31,7 +28,6 @@ from sympy import (
 from theory.closed_forms import DampingRegime, rate, rates, solution
 from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
-from theory.power_series import taylor
 from theory.scaling import canonical_pair, excess
 from theory.symbols import V1, V2, X, diff, epsilon, h_value, overshoot, put, q, r, t, theta, v1_0, v2_0, x1_0
 
@@ -108,13 +104,6 @@ def h() -> Expr:
 
 
 @cache
-def guard_factors() -> tuple[Expr, Expr]:
-    """The guard as (double root at theta = 0, positive on (0, 2 pi)) times (h - u), dimensionless."""
-    double_root = -diff(slip_from_ray().guard, epsilon) * sqrt(q)
-    return factor(double_root), h() - epsilon / sqrt(q)
-
-
-@cache
 def h_slope() -> Expr:
     """h'(theta) = (2(1 - cos theta) - theta sin theta)/(1 - cos theta)^2 in combined form."""
     return factored(on_circle(diff(h(), theta)))
@@ -129,12 +118,6 @@ def half_angle_slope() -> tuple[Expr, Expr]:
     halved = {cos(theta): 1 - 2 * sin(angle) ** 2, sin(theta): 2 * sin(angle) * cos(angle), theta: 2 * angle}
     increment = sin(angle) - angle * cos(angle)
     return in_lowest_terms(h_slope().subs(halved) / increment), increment
-
-
-@cache
-def h_limits() -> tuple[Expr, Expr]:
-    """Limits of h at both ends of (0, 2 pi)."""
-    return taylor(h(), theta, 1), limit(h(), theta, 2 * pi, "-")
 
 
 @dataclass(frozen=True)
@@ -195,24 +178,6 @@ def energy_balance() -> Expr:
 def next_excess() -> Expr:
     """w' = q (h^2 - 2 r D) as a function of theta: the excess after the excursion, with friction work."""
     return q * (h() ** 2 - 2 * r * displacement_of_angle())
-
-
-@cache
-def displacement_slope() -> tuple[Expr, Expr]:
-    """D'(theta) as two positive factors, theta - sin theta and h'."""
-    path = half_tangent_form(diff(displacement_of_angle(), theta) / h_slope())
-    return simplify(path.subs(half_tangent, sin(theta) / (1 + cos(theta)))), h_slope()
-
-
-@cache
-def next_excess_slope() -> tuple[Expr, ...]:
-    """dw'/dtheta as factors 2q, h, h', 1 - r(1 - cos theta): all positive while the last one is.
-
-    For r <= 1/2 (m2 <= m1) the last is nonnegative for every theta, so every excursion ends with w' > 0.
-    """
-    last = half_tangent_form(diff(next_excess(), theta) / (2 * q * h() * h_slope()))
-    square = (1 - cos(theta)) / (1 + cos(theta))  # k^2; only even powers are left
-    return 2 * q, h(), h_slope(), simplify(last.subs(half_tangent, sqrt(square)))
 
 
 def guard_of_u() -> Expr:

@@ -112,12 +112,6 @@ def inverse_step() -> Expr:
 
 
 @cache
-def quadratic_coefficient() -> Expr:
-    """c in w' = w - c w^2 + ..., read off the series of w' in epsilon = sqrt(w)."""
-    return in_lowest_terms(-cycle().next_excess.coeff(epsilon, 4))
-
-
-@cache
 def cycle_limit() -> Expr:
     """Limit of the reduced duration of slip plus stick as w -> 0."""
     return cycle().cycle_duration.subs(epsilon, 0)

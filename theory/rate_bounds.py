@@ -6,19 +6,10 @@ As w decreases from one excursion to the next, so does theta: a bound for the fi
 
 from functools import cache
 
-from sympy import Expr, Rational, Symbol, cos, factor, limit, pi, simplify, sqrt, tan
+from sympy import Expr, Rational, Symbol, cos, factor, limit, pi, simplify, sqrt
 
-from theory.excursion import displacement_of_angle, excursion, h, h_slope, half_tangent, half_tangent_form
+from theory.excursion import displacement_of_angle, h, h_slope, half_tangent, half_tangent_form
 from theory.symbols import diff, q, r, theta
-
-
-@cache
-def reentry_depth() -> Expr:
-    """1 - X at re-entry as q(2 - theta cot(theta/2)), dimensionless.
-
-    For theta <= pi it lies between 0 and 2q < 2: the excursion ends in the interior of S0.
-    """
-    return half_tangent_form(1 - excursion().position).subs(half_tangent, tan(theta / 2))
 
 
 @cache

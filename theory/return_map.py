@@ -15,7 +15,7 @@ from functools import cache
 
 from sympy import Expr, Integer, Rational, Symbol, cos, cot, expand, sin, sqrt
 
-from theory.excursion import excursion, h, half_tangent_form, slip_from_outside
+from theory.excursion import h, half_tangent_form, slip_from_outside
 from theory.power_series import reverted
 from theory.scaling import excess
 from theory.symbols import V1, V2, X, diff, epsilon, overshoot, put, q, r, theta
@@ -50,12 +50,6 @@ def reduced_guard() -> Expr:
 def in_trigonometry(expression: Expr) -> Expr:
     """Write cot(theta/2) as (1 + cos theta)/sin theta, so that ``half_tangent_form`` decides."""
     return expression.subs(cot(theta / 2), half_cotangent())
-
-
-@cache
-def guard_residual() -> Expr:
-    """Guard minus (1 - cos theta) times the contact condition: 0, the root at the start is divided out."""
-    return half_tangent_form(reduced_guard() - (1 - cos(theta)) * in_trigonometry(contact_condition()))
 
 
 @cache
@@ -110,17 +104,6 @@ def depth_slope_residual() -> Expr:
 def return_map_of_angle() -> tuple[Expr, Expr]:
     """(y, y') of an excursion from a ray as functions of its slip angle: h^2 and h^2 - r c^2, with y = w/q."""
     return h() ** 2, h() ** 2 - r * depth() ** 2
-
-
-@cache
-def return_map_residuals() -> tuple[Expr, Expr]:
-    """The same from the closed form of ``theory.excursion`` minus these: two zeros."""
-    before, after = return_map_of_angle()
-    one = excursion()
-    return (
-        half_tangent_form(one.excess / q - before),
-        half_tangent_form(one.next_excess / q - in_trigonometry(after)),
-    )
 
 
 @cache

@@ -46,12 +46,6 @@ def claimed_rates() -> ImmutableMatrix:
     return m2 / total_mass() * guard() * ImmutableMatrix([cos(angle), sin(angle)])
 
 
-def energy_parts() -> Expr:
-    """2 E = a2 (A^2 + B^2) + (m1 m2/M)(v1 - v2)^2, J: that of the pair as one body, and of the relative motion."""
-    first, second = coordinates()
-    return a2 * (first**2 + second**2) + m1 * m2 / total_mass() * guard() ** 2
-
-
 def relative_rate() -> Expr:
     """d(v1 - v2)/dt along (5)-(7) for every value sigma of friction, m/s^2."""
     return derivative_along(undamped(free_system(sigma)), guard())

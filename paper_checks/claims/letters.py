@@ -70,3 +70,4 @@ def of_share(left: str, right: Expr, derived: Callable[[], Basic]) -> Formula:
 
 
 MASS = m1 + m2
+DISTANCE = Symbol("N", nonnegative=True)

@@ -54,13 +54,8 @@ def _combined(part: sp.Expr, value: Callable[[sp.Expr], Value]) -> Value:
 
 
 def _power(base: Value, exponent: Value) -> Value:
-    """Return a power; a square root of a rational is exact where it can be."""
     if isinstance(exponent, fmpq) and exponent.q == 1:
         return base ** int(exponent.p)
-    if isinstance(base, fmpq) and isinstance(exponent, fmpq) and exponent.q == 2 and base >= 0:
-        top, bottom = base.p.isqrt(), base.q.isqrt()
-        if top * top == base.p and bottom * bottom == base.q:
-            return fmpq(top, bottom) ** int(exponent.p)
     ball = _ball(base)
     if isinstance(ball, arb) and not ball >= 0:
         ball = acb(ball)
@@ -72,8 +67,6 @@ def _ball(value: Value) -> arb | acb:
 
 
 def _least(left: Value, right: Value) -> Value:
-    if isinstance(left, fmpq) and isinstance(right, fmpq):
-        return min(left, right)
     if isinstance(left, acb) or isinstance(right, acb):
         raise NotEvaluatedError("complex numbers have no order")
     return arb(left).min(arb(right))

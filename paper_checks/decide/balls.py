@@ -7,6 +7,7 @@ from contextlib import AbstractContextManager
 from fractions import Fraction
 
 from flint import arb, fmpq
+from sympy import Rational
 
 from numerics.arithmetic.precision import precision as bits_of_precision
 
@@ -19,11 +20,6 @@ def precision(digits: int = DIGITS) -> AbstractContextManager[None]:
     return bits_of_precision(math.ceil((2 * digits + 20) * math.log2(10)))
 
 
-def point(value: Fraction | int) -> arb:
+def point(value: Fraction | Rational | int) -> arb:
     """Return a ball around a rational number."""
-    return arb(fmpq(value.numerator, value.denominator))
-
-
-def shown(value: arb, digits: int = DIGITS) -> str:
-    """Return a ball with all of its proved digits, at most `digits`, and its radius."""
-    return str(value.str(digits))
+    return arb(fmpq(int(value.numerator), int(value.denominator)))

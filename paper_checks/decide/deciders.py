@@ -9,10 +9,10 @@ from functools import partial
 import sympy as sp
 from flint import arb
 
-from paper_checks.decide.enclosure import exact
+from paper_checks.decide.balls import point
 from paper_checks.decide.exact import identity
 from paper_checks.decide.exhibit import Point, exhibit
-from paper_checks.decide.polynomial import RELATIONAL, signed
+from paper_checks.decide.polynomial import signed
 from paper_checks.decide.smt import prove
 from paper_checks.evidence.clause import Formula, decimal_places
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, enclosed
@@ -72,27 +72,17 @@ def implied(
     return decide
 
 
-def condition(derived: Callable[[], sp.Rel]) -> Decide:
-    """Decide a sharp inequality: it is the one that theory derives, both of its sides and their relation."""
-
-    def decide(formula: Formula) -> Evidence:
-        found = derived()
-        same = identity(f"{shown(formula)}, as derived", [formula.left, formula.right], [found.lhs, found.rhs])
-        return same if found.rel_op == formula.relation else replace(same, passed=False)
-
-    return decide
-
-
 def sharp(
     left: sp.Basic, relation: str, right: sp.Basic | int, derived: Callable[[], tuple[sp.Basic, str, sp.Basic | int]]
 ) -> Formula:
     """Return an inequality that is decided as a definition is: theory derives both of its sides and their relation."""
 
-    def found() -> sp.Rel:
+    def decide(formula: Formula) -> Evidence:
         one, sign, other = derived()
-        return RELATIONAL[sign](one, other, evaluate=False)
+        same = identity(f"{shown(formula)}, as derived", [formula.left, formula.right], [one, other])
+        return same if sign == formula.relation else replace(same, passed=False)
 
-    return Formula(left, relation, right, condition(found), sharp=True)
+    return Formula(left, relation, right, decide, sharp=True)
 
 
 def decimal(left: sp.Basic | str, right: str, value: Callable[[], arb]) -> Formula:
@@ -100,7 +90,7 @@ def decimal(left: sp.Basic | str, right: str, value: Callable[[], arb]) -> Formu
 
     def decide(formula: Formula) -> Evidence:
         digits, found = sp.Rational(formula.right), value()
-        low, high = exact(digits), exact(digits + sp.Rational(1, 10 ** decimal_places(digits)))
+        low, high = point(digits), point(digits + sp.Rational(1, 10 ** decimal_places(digits)))
         inside, outside = found > low and found < high, found < low or found > high
         passed = True if inside else False if outside else None
         return enclosed(shown(formula), passed, str(found.str(20)))

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
-from flint import arb, fmpq
-from sympy import Expr, Rational
+from flint import arb
+from sympy import Expr
 
 from numerics.linear.modes import Mode
 from numerics.scene import Scene
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
+from paper_checks.decide.at_point import at_point
+from paper_checks.decide.balls import precision
 from paper_checks.evidence.evidence import Evidence, enclosed
 from paper_checks.evidence.formula import pointed
 
@@ -30,18 +32,10 @@ def solved(scene: Scene, digits: int = DIGITS) -> Trajectory:
     return solve(scene, digits=digits, arithmetic="ball")
 
 
-def exact(value: Rational | int) -> arb:
-    """Return a ball around a rational number."""
-    rational = Rational(value)
-    return arb(fmpq(int(rational.p), int(rational.q)))
-
-
-def ball(expression: Expr, bits: int = 200) -> arb:
-    """Return a ball around the value of a sympy constant: evaluated with guard digits, their error as its radius."""
-    digits = int(bits * 0.301)
-    value = expression.evalf(digits + 10)
-    size = abs(value) + 1
-    return arb(str(value), str((size * 10 ** (-Rational(digits))).evalf(5)))
+def ball(expression: Expr) -> arb:
+    """Return a ball around the value of a real sympy constant."""
+    with precision():
+        return arb(at_point(expression, {}))
 
 
 def compare(statement: str, left: arb, relation: str, right: arb) -> Evidence:
@@ -52,13 +46,6 @@ def compare(statement: str, left: arb, relation: str, right: arb) -> Evidence:
     holds, fails = {"<": (left < right, left >= right), ">": (left > right, left <= right)}[relation]
     passed = True if holds else False if fails else None
     return enclosed(statement, passed, f"{text(left)} {relation} {text(right)}")
-
-
-def within(statement: str, value: arb, lower: str, upper: str) -> Evidence:
-    """Check lower < value < upper for all points of a ball; the bounds are decimals, read exactly."""
-    low, high = exact(Rational(lower)), exact(Rational(upper))
-    inside, outside = value > low and value < high, value <= low or value >= high
-    return enclosed(statement, True if inside else False if outside else None, text(value))
 
 
 def itinerary(statement: str, trajectory: Trajectory, modes: Sequence[Mode]) -> Evidence:
@@ -86,6 +73,6 @@ def rounded(value: arb, places: int) -> str:
     return pointed(int(whole), places)
 
 
-def text(value: arb) -> str:
-    """Return a ball with its radius, as plain text."""
-    return str(value.str(SHOWN))
+def text(value: arb, digits: int = SHOWN) -> str:
+    """Return a ball with its proved digits, at most so many, and its radius, as plain text."""
+    return str(value.str(digits))

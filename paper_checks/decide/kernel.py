@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
-from paper_checks.proofs.library import Proved, theorem
+from paper_checks.proofs.library import theorem
 
 PROVED, NOT_RUN, FAILED = "proved", "not run", "failed"
 STATUS = {True: PROVED, None: NOT_RUN, False: FAILED}
@@ -22,23 +21,16 @@ def step(name: str) -> Evidence:
     """
     found = theorem(name)
     untied = [tie for tie in map(theorem, found.ties) if not tie.holds] if found.holds else []
-    if untied:
-        return replace(
-            _stated(found), passed=untied[0].holds, value=f"kernel {STATUS[untied[0].holds]}: {untied[0].id}"
-        )
-    return _stated(found)
-
-
-def _stated(found: Proved) -> Evidence:
-    """Return a theorem as evidence, whatever its ties."""
-    name, problem = found.id, f": {found.problem}" if found.problem else ""
-    value = " ".join(found.statement.split()) if found.holds else f"kernel {STATUS[found.holds]}: {name}{problem}"
+    answer = untied[0] if untied else found
+    problem = f": {answer.problem}" if answer.problem else ""
     return Evidence(
         EvidenceKind.KERNEL,
         "Coq",
         f"the theorem {name}" + (f" ({found.name}): {found.sentence}" if found.name else ""),
-        found.holds,
-        value=value,
+        answer.holds,
+        value=" ".join(found.statement.split())
+        if answer.holds
+        else f"kernel {STATUS[answer.holds]}: {answer.id}{problem}",
         assumptions=tuple(found.axioms),
         rests_on=tuple(step(used) for used in found.uses) if found.holds else (),
     )

@@ -120,7 +120,7 @@ SLIP = Stage(
                     same_as((2 * (1 - cos(theta)) - theta * sin(theta)) / (1 - cos(theta)) ** 2),
                 ),
             ),
-            steps=lambda: (*angle_of_excursion()[1:], *one_contact()),
+            steps=lambda: (*angle_of_excursion(), *one_contact()),
         ),
         Line(
             "Substitute that angle into the solution: where the slip ends, and what it costs.",

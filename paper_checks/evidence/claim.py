@@ -46,9 +46,9 @@ def counterexample(text: str, *named: Named) -> About:
     return About(Subject.COUNTEREXAMPLE, one_line(text), steps(*named))
 
 
-def correction(*named: Named, text: str = "") -> About:
-    """Return steps of the corrected statement that carry no clause by name; `text` is that statement, if no clause is."""
-    return About(Subject.CORRECTION, one_line(text), steps(*named))
+def correction(*named: Named) -> About:
+    """Return steps of the corrected statement that carry no clause by name."""
+    return About(Subject.CORRECTION, "", steps(*named))
 
 
 @dataclass(frozen=True)
@@ -126,13 +126,13 @@ class Claim:
             return Finding(Verdict.UNCHECKED, "Nothing decides this claim.", missing="a case")
         drawn = {"seed": seed} if "seed" in inspect.signature(self.case).parameters else {}
         case = self.case(**drawn, **others)
-        texts = {part.subject: part.text for part in case.parts if isinstance(part, About)}
+        texts = [part.text for part in case.parts if isinstance(part, About) and part.text]
         return conclude(
             self.recorded,
             case.reason,
             *(step for part in case.parts for step in self._about(part)),
-            corrected=texts.get(Subject.CORRECTION) or self.corrected,
-            counterexample=texts.get(Subject.COUNTEREXAMPLE),
+            corrected=self.corrected,
+            counterexample=texts[0] if texts else None,
             figure=case.figure,
         )
 

@@ -15,8 +15,7 @@ import sympy as sp
 
 from paper_checks.errors import LedgerError
 from paper_checks.evidence.evidence import Evidence, one_line
-from paper_checks.evidence.formula import latex as in_letters
-from paper_checks.evidence.formula import pointed
+from paper_checks.evidence.formula import latex, pointed
 
 RELATIONS = {
     "=": "=",
@@ -103,12 +102,3 @@ class Clause:
 def clause(id: str, text: str, *, kernel: str = "", **formulas: Formula) -> Clause:
     """Return a clause with its formulas by name; `kernel` names the theorems that prove it, with spaces between them."""
     return Clause(id, text, formulas, tuple(kernel.split()))
-
-
-def latex(expression: sp.Basic | str | int) -> str:
-    """Return LaTeX; a text is LaTeX already, a column is written as a row."""
-    if isinstance(expression, str):
-        return expression
-    if isinstance(expression, sp.MatrixBase):
-        return r"\bigl(" + r",\,".join(latex(entry) for entry in expression) + r"\bigr)"
-    return in_letters(expression)

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
-
-from paper_checks.evidence.evidence import Evidence
 
 _BARE = (sp.sin, sp.cos, sp.tan, sp.cot, sp.log)
 """Functions that a single letter follows without brackets."""
@@ -28,13 +24,17 @@ class _Printer(LatexPrinter):
         return str(super()._print_Function(expr, exp))
 
 
-def latex(expression: sp.Basic | int) -> str:
-    r"""Return LaTeX of an expression.
+def latex(expression: sp.Basic | str | int) -> str:
+    r"""Return LaTeX of an expression; a text is LaTeX already, a column is written as a row.
 
     >>> x, theta = sp.symbols("x theta")
     >>> latex(-x * sp.cos(theta) + sp.sin(theta))
     '\\sin {\\theta} - x \\cos {\\theta}'
     """
+    if isinstance(expression, str):
+        return expression
+    if isinstance(expression, sp.MatrixBase):
+        return r"\bigl(" + r",\,".join(map(latex, expression)) + r"\bigr)"
     return str(_Printer({"fold_short_frac": False}).doprint(sp.sympify(expression)))
 
 
@@ -45,21 +45,6 @@ def equation(left: str, right: sp.Basic | int, *, relation: str = "=") -> str:
     '$$E=m_{1}^{2}$$'
     """
     return f"$${left}{relation}{latex(right)}$$"
-
-
-def stating(evidence: Evidence, *forms: str) -> Evidence:
-    """Return the evidence with closed forms, for programs to read, before its value.
-
-    >>> from paper_checks.evidence.evidence import EvidenceKind
-    >>> stating(Evidence(EvidenceKind.EXACT, "sympy", "s", True, value="0"), "y = h**2", "x = 1").value
-    'y = h**2; x = 1; 0'
-    """
-    return replace(evidence, value="; ".join((*forms, evidence.value)))
-
-
-def form(left: str, right: sp.Basic | int) -> str:
-    """Return `left = right` with the expression as sympy writes it."""
-    return f"{left} = {sp.sstr(right)}"
 
 
 def pointed(whole: int, places: int) -> str:

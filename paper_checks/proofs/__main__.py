@@ -80,11 +80,8 @@ def _check(jobs: int) -> int:
     began = time.monotonic()
     proved = library.prove(audit.register(), _progress, jobs)
     problems = [one.problem for one in proved.values() if one.problem]
-    print(
-        f"{library.kernel_name()}: {len(proved) - len(problems)} of {len(proved)} theorems proved as recorded", end=""
-    )
-    print(f", {time.monotonic() - began:.1f} s")
-    version = library.kernel_name()
+    version, seconds = library.kernel_name(), time.monotonic() - began
+    print(f"{version}: {len(proved) - len(problems)} of {len(proved)} theorems proved as recorded, {seconds:.1f} s")
     if problems and kernel.TESTED_VERSION not in version:
         problems.append(f"this is {version}, the proofs are written for {kernel.TESTED_VERSION}: that may be all")
     for problem in dict.fromkeys(problems):

@@ -15,6 +15,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from functools import cache
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 from numerics import files
@@ -36,16 +37,18 @@ def why_not() -> str:
 
 
 @cache
-def _missing(search_path: str | None) -> str:
+def _said(option: str, search_path: str | None) -> str:
+    """What the compiler answers to an option; empty where it is not there."""
     coqc = shutil.which("coqc", path=search_path)
     if coqc is None:
-        return f"kernel not run: coqc is not installed (Debian: {PACKAGES})"
-    asked = subprocess.run([coqc, "-where"], capture_output=True, encoding="utf-8", check=False)
-    if asked.returncode:
-        return f"kernel not run: coqc -where fails: {asked.stderr.strip()[:200]}"
-    folders = [Path(asked.stdout.strip()) / "user-contrib" / name for name in _LIBRARIES]
-    missing = [folder.name for folder in folders if not folder.is_dir()]
-    return f"kernel not run: {' and '.join(missing)} not installed (Debian: {PACKAGES})" if missing else ""
+        return ""
+    return subprocess.run([coqc, option], capture_output=True, encoding="utf-8", check=False).stdout.strip()
+
+
+def _missing(search_path: str | None) -> str:
+    where = _said("-where", search_path)
+    missing = [name for name in _LIBRARIES if not (Path(where) / "user-contrib" / name).is_dir()] if where else ["coqc"]
+    return f"kernel not run: {' and '.join(missing)} is not installed (Debian: {PACKAGES})" if missing else ""
 
 
 def _cannot_keep() -> str:
@@ -68,19 +71,15 @@ def cache_folder() -> Path:
     return files.cache_folder() / "proofs"
 
 
-@cache
 def version(search_path: str | None) -> str:
     """What the compiler calls itself: two numbers, its own and OCaml's."""
-    coqc = shutil.which("coqc", path=search_path) or "coqc"
-    return subprocess.run([coqc, "--print-version"], capture_output=True, encoding="utf-8", check=True).stdout.strip()
+    return _said("--print-version", search_path)
 
 
 @cache
 def identity(search_path: str | None) -> str:
     """The compiler's version and a hash of the compiled libraries beside it: a proof rests on those that it requires."""
-    coqc = shutil.which("coqc", path=search_path) or "coqc"
-    asked = subprocess.run([coqc, "-where"], capture_output=True, encoding="utf-8", check=True)
-    seen = (path for path in (Path(asked.stdout.strip()) / "user-contrib").rglob("*.vo"))
+    seen = (path for path in (Path(_said("-where", search_path)) / "user-contrib").rglob("*.vo"))
     sizes = (f"{path.parent.name}/{path.name} {path.stat().st_size} {path.stat().st_mtime_ns}" for path in seen)
     return f"{version(search_path)} {digest(sorted(sizes))}"
 
@@ -104,63 +103,56 @@ def compile_files(
     jobs: int = 2,
     store: Path | None = None,
 ) -> Compiled:
-    """Compile files and what they rest on, `jobs` at a time, those first on which most rests; what is kept is not compiled.
+    """Compile files and what they rest on, `jobs` at a time; what is kept is not compiled.
 
     A file that fails does not stop those that do not rest on it. On an interrupt the compilers that run are ended.
     """
     store = store or cache_folder()
     files.make_private(store)
     order = needed(wanted, sources)
-    named = keys({name: sources[name] for name in order}, identity(os.environ.get("PATH")))
-    weights = _weights(order, sources)
+    kept = {
+        name: store / key
+        for name, key in keys({name: sources[name] for name in order}, identity(os.environ.get("PATH"))).items()
+    }
+    missing = [name for name in order if not (kept[name] / f"{name}.vo").exists()]
     compiled, running = Compiled(), dict[Future[str], str]()
-    missing = [name for name in order if not (store / named[name] / f"{name}.vo").exists()]
-    for name in set(order) - set(missing):
-        compiled.folders[name] = store / named[name]
-        with suppress(OSError):  # another process has forgotten it
-            os.utime(compiled.folders[name])
-    waiting = sorted(missing, key=weights.__getitem__, reverse=True)
-    with ThreadPoolExecutor(jobs) as pool, _ending() as processes:
-        while waiting or running:
-            for name in tuple(waiting):
-                below = sources[name].requires
-                if lost := [one for one in below if one in compiled.broken]:
+    sorter = TopologicalSorter({name: sources[name].requires for name in order})
+    sorter.prepare()
+    with ThreadPoolExecutor(jobs) as pool, _ending(pool) as processes:
+        while sorter.is_active():
+            for name in sorter.get_ready():
+                if lost := [one for one in sources[name].requires if one in compiled.broken]:
                     compiled.broken[name] = f"{name}.v rests on {lost[0]}.v, which does not compile"
-                elif len(running) < jobs and all(one in compiled.folders for one in below):
+                elif name in missing:
                     arguments = compiled.arguments()
-                    run = pool.submit(_coqc, sources[name], store / named[name], arguments, processes)
-                    running[run] = name
-                else:
+                    running[pool.submit(_coqc, sources[name], kept[name], arguments, processes)] = name
                     continue
-                waiting.remove(name)
+                else:
+                    compiled.folders[name] = kept[name]
+                    with suppress(OSError):  # another process has forgotten it
+                        os.utime(kept[name])
+                sorter.done(name)
             for future in wait(running, return_when=FIRST_COMPLETED).done:
                 name = running.pop(future)
                 if complaint := future.result():
                     compiled.broken[name] = complaint
                 else:
-                    compiled.folders[name] = store / named[name]
-            if progress:
-                progress(len(missing) - len(waiting) - len(running), len(missing))
+                    compiled.folders[name] = kept[name]
+                sorter.done(name)
+            if progress and missing:
+                progress(sum(one in compiled.folders or one in compiled.broken for one in missing), len(missing))
     files.forget_unused(store, _FOLDERS)
     return compiled
 
 
-def _weights(order: tuple[str, ...], sources: Mapping[str, Source]) -> dict[str, int]:
-    """How much text waits for each file: its own, and that of the longest chain of files that rest on it."""
-    weights = {name: len(sources[name].text) for name in order}
-    for name in reversed(order):
-        for required in sources[name].requires:
-            weights[required] = max(weights[required], len(sources[required].text) + weights[name])
-    return weights
-
-
 @contextmanager
-def _ending() -> Iterator[set[subprocess.Popen[str]]]:
+def _ending(pool: ThreadPoolExecutor) -> Iterator[set[subprocess.Popen[str]]]:
     """Yield a set for processes; whatever ends the block, an interrupt among it, ends those that are in it."""
     processes: set[subprocess.Popen[str]] = set()
     try:
         yield processes
     finally:
+        pool.shutdown(wait=False, cancel_futures=True)
         for process in tuple(processes):
             process.kill()
 

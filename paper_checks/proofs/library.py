@@ -133,25 +133,22 @@ def _differing(ids: Sequence[str], compiled: Compiled) -> dict[str, str]:
 
     It is asked about all at once; where its answer cannot be right for one of them, about both halves.
     """
-    if not ids:
-        return {}
     groups: dict[tuple[str, ...], list[str]] = {}
     for one in ids:
         record = recorded().theorems.get(one)
         groups.setdefault(record.axioms if record else (one,), []).append(register()[one][0])
     definitions = sorted({name for one in ids for name in recorded().definitions_of.get(one, ())})
     present = [name for name in definitions if name.split(".")[0] in compiled.folders]
+    half = len(ids) // 2
     try:
         printed, behind = audit.asked(compiled, groups.values(), present)
-        whole = all(set(behind[name]) <= set(axioms) for axioms, names in groups.items() for name in names)
     except RuntimeError as error:
-        if len(ids) == 1:
-            return {ids[0]: f"{register()[ids[0]][0]}: {error}"}
-        whole = False
-    if not whole and len(ids) > 1:
-        half = len(ids) // 2
-        return _differing(ids[:half], compiled) | _differing(ids[half:], compiled)
-    return {one: why for one in ids if (why := difference(one, printed, behind[register()[one][0]]))}
+        if not half:
+            return {one: f"{register()[one][0]}: {error}" for one in ids}
+    else:
+        if not half or all(set(behind[name]) <= set(axioms) for axioms, names in groups.items() for name in names):
+            return {one: why for one in ids if (why := difference(one, printed, behind[register()[one][0]]))}
+    return _differing(ids[:half], compiled) | _differing(ids[half:], compiled)
 
 
 def difference(one: str, printed: Mapping[str, str], axioms: Iterable[str]) -> str:

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 FOLDER = Path(__file__).parents[1] / "rocq"
@@ -47,22 +48,20 @@ def read(folder: Path = FOLDER) -> dict[str, Source]:
 
 
 def needed(wanted: Iterable[str], sources: Mapping[str, Source]) -> tuple[str, ...]:
-    """Files and all that they rest on, each after those that it requires. Raises ValueError for a name that is missing."""
-    placed: dict[str, None] = {}
+    """Files and all that they rest on, each after those that it requires.
 
-    def place(name: str, above: tuple[str, ...]) -> None:
-        if name in above:
-            raise ValueError(f"{name}.v requires itself, by way of {', '.join(above)}")
+    Raises ValueError for a name that is missing, CycleError where a file requires itself.
+    """
+    graph: dict[str, tuple[str, ...]] = {}
+    waiting = list(wanted)
+    while waiting:
+        name = waiting.pop()
         if name not in sources:
-            raise ValueError(f"{' and '.join(above[-1:])}.v requires {name}, and there is no {name}.v")
-        for required in sources[name].requires:
-            if required not in placed:
-                place(required, (*above, name))
-        placed.setdefault(name)
-
-    for name in wanted:
-        place(name, ())
-    return tuple(placed)
+            raise ValueError(f"{name} is required, and there is no {name}.v")
+        if name not in graph:
+            graph[name] = sources[name].requires
+            waiting += graph[name]
+    return tuple(TopologicalSorter(graph).static_order())
 
 
 def keys(sources: Mapping[str, Source], compiler: str) -> dict[str, str]:

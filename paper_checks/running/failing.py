@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
@@ -29,24 +30,19 @@ def lowest(rows: Iterable[Row]) -> list[Failure]:
     derivation. Then those with the fewest steps below them, and of these the ones that turn most claims. A theorem of the kernel comes
     last, as it is tied to the expressions that the others check.
     """
-    claims: dict[tuple[str, str], list[str]] = {}
-    ranks: dict[tuple[str, str], tuple[bool, bool, int]] = {}
+    found: defaultdict[tuple[str, str], list[tuple[tuple[bool, bool, int], str]]] = defaultdict(list)
     for row in sorted(rows, key=lambda row: row.claim.section in BEFORE_THE_MODEL):
         if row.as_recorded or row.finding.verdict is Verdict.UNCHECKED:
             continue
         steps = list(_lowest(row))
         formulas = {step for proof in row.proofs for step in proof.bindings}
         for step in steps:
-            name = step.statement, step.value
-            claims.setdefault(name, []).append(row.claim.id)
             rank = step.kind is EvidenceKind.KERNEL, step not in formulas, len(closure(step.rests_on))
-            ranks[name] = min(rank, ranks.get(name, rank))
+            found[step.statement, step.value].append((rank, row.claim.id))
         if not steps:
-            name = row.finding.missing or row.finding.reason, ""
-            claims.setdefault(name, []).append(row.claim.id)
-            ranks[name] = False, True, 0
-    order = sorted(claims, key=lambda name: (ranks[name], -len(claims[name]) * ranks[name][1]))
-    return [Failure(*name, tuple(dict.fromkeys(claims[name]))) for name in order]
+            found[row.finding.missing or row.finding.reason, ""].append(((False, True, 0), row.claim.id))
+    order = sorted(found, key=lambda name: (min(found[name])[0], -len(found[name]) * min(found[name])[0][1]))
+    return [Failure(*name, tuple(dict.fromkeys(claim for _, claim in found[name]))) for name in order]
 
 
 def _lowest(row: Row) -> Iterator[Evidence]:

@@ -23,7 +23,6 @@ class Planted:
 
     claim: str
     clause: str
-    formula: str
     fault: str
     latex: str
     turned: bool
@@ -94,9 +93,9 @@ def places(claims: Iterable[Claim]) -> Iterator[tuple[Claim, Clause, str, Formul
 
 def planted(claims: Iterable[Claim]) -> Iterator[Planted]:
     """Plant every fault and say whether the formula's evidence, without which the row does not stand, turns."""
-    for claim, clause, name, formula in places(claims):
+    for claim, clause, _, formula in places(claims):
         for kind, wrong in faults(formula):
-            yield Planted(claim.id, clause.id, name, kind, wrong.latex, _turns(wrong))
+            yield Planted(claim.id, clause.id, kind, wrong.latex, _turns(wrong))
 
 
 def _turns(formula: Formula) -> bool:

@@ -34,15 +34,12 @@ def answers(tasks: Sequence[Task], jobs: int, answer: Answer, given: object) -> 
             try:
                 yield waiting[future], future.result()
             except BrokenProcessPool:
-                lost.append(waiting[future])
+                if len(tasks) == 1:
+                    yield tasks[0], Ended()
+                else:
+                    lost.append(waiting[future])
     for task in lost:
-        with _pool(1) as pool:
-            with _unheard():
-                future = pool.submit(answer, task, given)
-            try:
-                yield task, future.result()
-            except BrokenProcessPool:
-                yield task, Ended()
+        yield from answers([task], 1, answer, given)
 
 
 @contextmanager

@@ -26,7 +26,6 @@ from numerics.free.abel import creeping_place
 from numerics.free.energy import EnergyAt, EnergyMethod, energy_at
 from numerics.linear.modes import EventKind
 from numerics.trajectory.status import Status
-from paper_checks.claims.section_3.energy import P, Q, lipschitz_constant
 from theory.energy import critical_energy, dwell_time_bound
 from theory.filippov import half_width
 from theory.uniform_rate import crossings_bound, upper_bound
@@ -210,10 +209,10 @@ def _within(pair: Pair, state, at_last: arb, limit: arb | fmpq, margin: fmpq) ->
     x1, v1, x2, v2 = state
     energy = energy_of(pair, state)
     left = margin * (energy - limit)
-    reached = {str(P): (2 * energy / exact(pair.a2)).sqrt(), str(Q): (2 * energy / exact(pair.m1)).sqrt()}
-    steepest = of_pair(lipschitz_constant(), pair, **reached)
+    m1, m2, a1, a2, b = map(exact, (pair.m1, pair.m2, pair.a1, pair.a2, pair.b))
+    steepest = ((2 * energy * a2).sqrt() + a1 * (2 * energy / m1).sqrt()) / m1 + b / m1 + b / m2
     moved, speed = x1 - x2 - at_last, v1 - v2
-    return not exact(pair.b) * abs(moved) > left and not exact(pair.b) * speed**2 > 2 * steepest * left
+    return not b * abs(moved) > left and not b * speed**2 > 2 * steepest * left
 
 
 @reaching

@@ -5,8 +5,7 @@ from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
 from theory import cheapest
 from theory.cheapest import beyond, height, mu, nu, once, rate, twice, weight
-from theory.energy import energy
-from theory.forced_control import angle, duration, path, r_acceleration, r_place, r_speed, strongest, stuck_force
+from theory.forced_control import angle, duration, path, r_acceleration, r_place, r_speed, stuck_force
 from theory.scaling import stick_frequency
 
 PACE, WIDTH = symbols("Omega L", positive=True)
@@ -30,7 +29,6 @@ def certificate() -> Evidence:
             cheapest.misfit() * r_acceleration + cheapest.along(cheapest.gathered()),
         ),
         transfers.gentle,
-        transfers.stuck_force,
     )
 
 
@@ -75,7 +73,6 @@ def least_work() -> Evidence:
 @cache
 def with_slip() -> Evidence:
     """The force of any motion beside that of the stuck motion with the same x2."""
-    field = forced.forced_system(sigma)
     return argument(
         r"""
         Whatever the motion, $|\dot v_2|\leqslant b/m_2$, so a stuck pair can have the same $x_2(t)$, under a force $u_s$,
@@ -91,11 +88,6 @@ def with_slip() -> Evidence:
             r"$w(m_1\ddot z+a_1\dot z+a_2z)=\kappa\dot z+\frac{\mathrm d}{\mathrm dt}[m_1w\dot z-a_2Sz]$",
             weight * cheapest.slip_force(),
             cheapest.slip_weight() * cheapest.slip + cheapest.along(cheapest.slip_gathered()),
-        ),
-        identity(
-            r"$m_1\dot v_1+m_2\dot v_2=u-a_1v_1-a_2x_1$ in every mode",
-            m1 * field[1] + m2 * field[2],
-            u - a1 * v1 - a2 * x1,
         ),
     )
 
@@ -113,11 +105,6 @@ def far_away() -> Evidence:
         back by more than $b\tau^2/m_2<d_0$ for small $\tau$, and all is as at the start but for $x_2$, on which
         nothing depends. Such hops have the same cost each, and a stuck transfer does what is left of $D$.
         """,
-        identity(
-            r"$u=a_2(x_1-L)+a_1v_1$ at $\dot v_1=-b/m_2$",
-            stuck_force().subs(r_acceleration, -strongest()),
-            a2 * (r_place - half_width()) + a1 * r_speed,
-        ),
         transfers.gentle,
     )
 
@@ -132,14 +119,7 @@ def for_all() -> Evidence:
         $\sqrt{2E}$ grows by at most $|u|/\sqrt{m_1}$ per time, and $MV^2\leqslant\frac1{m_1}\bigl(\int|u|\bigr)^2\leqslant
         \frac T{m_1}\int u^2$.
         """,
-        identity(
-            r"$\dot E=uv_1-a_1v_1^2-b\sigma\dot z$ with $\sigma\dot z=|\dot z|$",
-            sum(
-                diff(energy(), one) * speed
-                for one, speed in zip((x1, v1, v2), forced.forced_system(sigma), strict=True)
-            ),
-            u * v1 - a1 * v1**2 - b * sigma * (v1 - v2),
-        ),
+        kernel.step("forced-energy-rate"),
         transfers.gentle,
     )
 

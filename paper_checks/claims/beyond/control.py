@@ -85,8 +85,6 @@ def target_or_set_point() -> Case:
         than $b/m_2$. At exactly $b/m_2$ this holds under Coulomb's law, but not under (3)–(4); below it, under both: see
         trackable-references and minimum-transfer-time.
         """,
-        transfers.gentle().as_support(),
-        transfers.stuck_force().as_support(),
     )
 
 
@@ -142,7 +140,7 @@ def trackable_references() -> Case:
     """Friction is the only force on body 2."""
     return because(
         "Body 2 can follow exactly the references that require no more force than the interface can transmit. A pair that sticks follows each of them, under an explicit force.",
-        carried("force", transfers.stuck_force),
+        carried("force"),
     )
 
 
@@ -257,5 +255,4 @@ def minimum_transfer_time() -> Case:
     return because(
         "The minimum time is set by the interface alone, whatever the force. The force amplitude needed is another matter: if body 1 slips ahead of body 2 in the first half, and both have the same velocity at half time, less is needed than if the pair sticks all the way.",
         transfers.gentle,
-        transfers.stuck_force,
     )

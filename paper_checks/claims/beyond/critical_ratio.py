@@ -1,20 +1,11 @@
 """The mass ratio from which on no motion merges slightly above the critical energy."""
 
-from paper_checks.claims.beyond.excursions import vanishes
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import shown
 from paper_checks.decide.roots import enclosed_root
 from theory.excursion import angle
 from theory.merging import (
     critical_mass_ratio,
-    critical_mass_ratio_residual,
-    critical_share,
-    ratio,
-    ratio_slope_residual,
     turning_function,
-    turning_residual,
-    turning_slope,
-    turning_slope_residual,
 )
 
 
@@ -26,45 +17,6 @@ def rise(theta: arb) -> arb:
 def depth(theta: arb) -> arb:
     """Return c(theta) = 2 - theta cot(theta/2)."""
     return 2 - theta * (theta / 2).cot()
-
-
-@cache
-def one_turning_point() -> Steps:
-    """R = h/c falls from infinity to its one minimum sqrt(r*) and rises to infinity."""
-    first, second = turning_slope()
-    return (
-        stating(
-            vanishes(
-                r"with $R=h/c$: $\frac{dR}{d\varphi}=\sin^{-2}\varphi-2R^2$",
-                ratio_slope_residual(),
-            ),
-            form("R", ratio()),
-        ),
-        vanishes(
-            r"""
-            $2R^2\sin^2\varphi=\frac{A^2}{2B^2}$, $A=\varphi-\sin\varphi\cos\varphi$,
-            $B=\sin\varphi-\varphi\cos\varphi$, both positive: $R$ falls exactly where $K=A-\sqrt2B>0$
-            """,
-            turning_residual(),
-        ),
-        identity(
-            r"$K'=\sin\varphi\,(2\sin\varphi-\sqrt2\,\varphi)$",
-            [turning_slope_residual(), first * second - sin(angle) * (2 * sin(angle) - sqrt(2) * angle)],
-            [0, 0],
-        ),
-        identity(
-            r"""
-            $\sin\varphi/\varphi$ falls, with derivative $-B/\varphi^2$, so $K$ rises from $0$ and then falls to
-            $\pi(1-\sqrt2)<0$: one zero $\varphi^*$ in $(0,\pi)$
-            """,
-            [
-                diff(sin(angle) / angle, angle) * angle**2,
-                turning_function().subs(angle, 0),
-                turning_function().subs(angle, pi),
-            ],
-            [angle * cos(angle) - sin(angle), 0, pi * (1 - sqrt(2))],
-        ),
-    )
 
 
 def half_angle() -> arb:
@@ -81,46 +33,18 @@ def critical_value() -> arb:
 
 
 @cache
-def threshold() -> Steps:
-    """r* and both mass ratios in closed form at the root, to 50 digits."""
+def threshold() -> Evidence:
+    """r* and the mass ratio in closed form at the root, to 50 digits."""
     with precision():
-        root, value = half_angle(), critical_value()
-        theta = 2 * root
-        ratios = (value, (1 - value) / value, value / (1 - value))
-        agree = all(
-            one.overlaps(other)
-            for one, other in zip(
-                ratios, ((rise(theta) / depth(theta)) ** 2, -theta.cos(), -1 / theta.cos()), strict=True
-            )
-        )
-        names = ("r* = 1/(2*sin(phi*)**2)", "m1/m2 = -cos(theta*)", "m2/m1 = -1/cos(theta*)")
-        texts = [
-            f"theta* = {shown(theta)}",
-            *(f"{name} = {shown(one)}" for name, one in zip(names, ratios, strict=True)),
-        ]
-        beyond = root > arb.pi() / 2 and value < point(Fraction(3, 5)) and value > point(Fraction(1, 2))
-    return (
-        identity(
-            r"at $\varphi^*$, where $A=\sqrt2B$: $r^*=R^2=\frac{1}{2\sin^2\varphi^*}$, which is $r(1-\cos\theta^*)=1$",
-            2 * critical_share() * sin(angle) ** 2,
-            1,
-        ),
-        stating(
-            vanishes(r"so $m_1/m_2=(1-r^*)/r^*=2\sin^2\varphi^*-1=-\cos\theta^*$", critical_mass_ratio_residual()),
-            form("m1/m2", critical_mass_ratio()),
-        ),
-        enclosed(
-            r"$\theta^*$, $r^*$ and both mass ratios at the threshold; $R(\theta^*)^2$, $-\cos\theta^*$ and $-1/\cos\theta^*$ agree with them",
-            agree,
-            "; ".join(texts),
-            3,
-        ),
-        enclosed(
-            r"$\varphi^*>\pi/2$, so $\varphi^*$ is the upper end of $2r^*\sin^2\varphi>1$; $1/2<r^*<3/5$",
-            bool(beyond),
-            shown(value, 12),
-            2,
-        ),
+        value, theta = critical_value(), 2 * half_angle()
+        ratio = (1 - value) / value
+        agree = value.overlaps((rise(theta) / depth(theta)) ** 2) and ratio.overlaps(-theta.cos())
+        numbers = {"theta*": theta, "r* = 1/(2*sin(phi*)**2)": value, "m1/m2 = -cos(theta*)": ratio, "m2/m1": 1 / ratio}
+    return enclosed(
+        r"$\theta^*$, $r^*$ and both mass ratios at the threshold; $R(\theta^*)^2$ and $-\cos\theta^*$ agree with them",
+        agree,
+        "; ".join(f"{name} = {text(one, 50)}" for name, one in numbers.items()),
+        2,
     )
 
 
@@ -178,6 +102,6 @@ def mass_ratio() -> Case:
         equality at one slip from the ray. As $w'$ falls with $r$, it is positive after every slip from $S$ for $r<r^*$,
         and negative after that one for $r>r^*$.
         """,
-        one_turning_point,
+        threshold,
         figure="merging-window",
     )

@@ -1,14 +1,8 @@
 """A damper on body 1: the time T from which the pair sticks permanently, and R from which it rests, against a1."""
 
-from paper_checks.claims.beyond.contraction import forces_apart
 from paper_checks.claims.letters import MASS
-from paper_checks.claims.section_3 import energy
-from paper_checks.claims.section_3.convergence import contact_again
-from paper_checks.claims.section_5.points import EXAMPLE_PAIR, scene_at
 from paper_checks.claims.words import *
 from theory.energy import energy as stored
-from theory.energy import slip_rate
-from theory.filippov import load
 from theory.near_critical import rate_constant
 
 TIME, ROOT, REACH, WITHIN, SWING = symbols("T s X d Omega", positive=True)
@@ -61,11 +55,7 @@ def slows() -> Evidence:
         sticks at its next contact. Let $a_1\to 0$, then $\eta\to 0$. If the motion with $a_1=0$ has $E(t_0)<E_{cr}$, so
         has that with a small $a_1$, below the captive level: it sticks from its next contact on.
         """,
-        kernel.step("sharp-law"),
-        forces_apart,
-        energy.captive_margin,
-        energy.captive_level,
-        contact_again,
+        *map(kernel.step, ("sharp-law", "interface-input-to-state", "captive-sticks", "contact")),
     )
 
 
@@ -101,9 +91,7 @@ def passes_once() -> Evidence:
         $b/m_2$ to $0$; the pair then sticks, $x_1$ has the slow rate $\frac{a_2}{a_1}(1+O(a_1^{-2}))$, and
         $E=\frac12a_2x_1^2(1+O(a_1^{-2}))$.
         """,
-        energy.energy_rate,
-        forces_apart,
-        kernel.step("heavy-damping"),
+        *map(kernel.step, ("energy-rate", "interface-input-to-state", "heavy-damping")),
         decays,
     )
 
@@ -199,7 +187,7 @@ def synchronisation_against_damping() -> Case:
                 if $v>0$ the stuck pair goes on by at least $m_2v^2/(2b)$, while $|x_1|\leqslant X$: $v^2\leqslant
                 4bX/m_2=4s^2$.
                 """,
-                energy.energy_never_grows,
+                kernel.step("energy-decreases"),
             ),
         ),
         carried("rest", passes_once),

@@ -1,75 +1,13 @@
 """A periodic force: when the pair sticks for ever, stops twice a period, or never."""
 
-from paper_checks.claims.beyond.forced_modes import strict_rule
-from paper_checks.claims.beyond.response import natural_frequency, one_response
+from paper_checks.claims.beyond.response import natural_frequency
 from paper_checks.claims.beyond.stuck import tends_to_stuck, undamped_stuck
-from paper_checks.claims.beyond.two_stops import beside_thresholds, near_first, near_last, only_one
+from paper_checks.claims.beyond.two_stops import near_first, near_last, only_one
+from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
 from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing
-from theory.fraction import in_lowest_terms
 from theory.scaling import stick_frequency
-
-
-@cache
-def square_wave() -> Evidence:
-    """h and h' continue to a motion that is its own negative half a period later."""
-    stiffness = m1 * (decline**2 + swing**2)
-    place, speed = (in_lowest_terms(response.half_turn(one) * stiffness) for one in response.square_wave())
-    c, s = (response.half_turn(one(pi * swing / omega)) for one in (cos, sin))
-    first, second = place - 1, in_lowest_terms((speed + decline * (place - 1)) / swing)
-    later = 1 + decayed * (first * c + second * s)
-    later_speed = decayed * ((swing * second - decline * first) * c - (swing * first + decline * second) * s)
-    return identity(
-        r"under 1 N the place $k$ and the velocity $k'$ become $-k$ and $-k'$ in half a period, by $k=\tan(\pi\omega_d/2\omega)$",
-        [later + place, later_speed + speed],
-    )
-
-
-@cache
-def load_positive() -> Evidence:
-    """M/m2 - a2 h - a1 h' > 0: the cosine part of the limit motion is negative."""
-    place, speed = response.square_wave()
-    stiffness, damping = m1 * (decline**2 + swing**2), 2 * m1 * decline
-    left = 1 + 2 * decayed * cos(pi * swing / omega) + decayed**2
-    found = (-stiffness * place - damping * speed) * left
-    shown = 1 - decayed**2 + 2 * decayed * decline / swing * sin(pi * swing / omega)
-    return argument(
-        r"$\delta^{-1}-\delta=2\sinh(\pi\lambda/\omega)\geqslant 2\pi\lambda/\omega\geqslant 2\frac{\lambda}{\omega_d}|\sin(\pi\omega_d/\omega)|$, so $-a_2k-a_1k'\geqslant 0$.",
-        identity(
-            r"$(-a_2k-a_1k')(1+2\delta\cos(\pi\omega_d/\omega)+\delta^2)=1-\delta^2+2\delta\frac{\lambda}{\omega_d}\sin(\pi\omega_d/\omega)$",
-            response.half_turn(found),
-            response.half_turn(shown),
-        ),
-    )
-
-
-@cache
-def non_stop() -> Evidence:
-    """Permanent slip, exactly from U** on if the relative velocity keeps its sign at U**."""
-    in_phase, out_of_phase = response.non_stop_parts()
-    lowest = -slip(1).acceleration2 * pi / omega / 2
-    speed = in_phase * omega - b * response.square_speed
-    return argument(
-        r"""
-        In such a motion $v_2$ is a triangle wave of slopes $\pm b/m_2$, and $x_1$ a sinusoid $a\sin\omega
-        t+c\cos\omega t$ and the response to the square wave of friction. $\dot z=0$ at the turn fixes $a$; there slip
-        of sign 1 goes on only if $\Lambda\geqslant b$, which is $-c\geqslant-c_*>0$ with $c_*$ where $\Lambda=b$. As
-        $U^2G^2=a^2+c^2$, such a $c<0$ exists exactly if $U\geqslant U_{**}$. From $U_{**}$ on $\dot z$ gains
-        $(c_*-c)\,\omega\sin\omega t\geqslant 0$, so it stays positive up to the next turn if it is at $U_{**}$, and
-        then it is a motion by symmetry. With $a_1>0$ the response is the only one and attracts all.
-        """,
-        square_wave,
-        load_positive,
-        identity(r"$v_1=v_2$ at the turn", speed, lowest),
-        identity(
-            r"$\Lambda=b$ there",
-            m1 * omega**2 * out_of_phase,
-            a2 * b * response.square_place + a1 * b * response.square_speed - b * total_mass() / m2,
-        ),
-        one_response,
-        strict_rule,
-    )
 
 
 @cache
@@ -86,16 +24,13 @@ def below_non_stop() -> Evidence:
         which needs $U\geqslant U_{**}$ whatever $\dot z$ does at $U_{**}$. For a motion of the period $T$ itself this
         is the kernel's theorem, whose condition $A>0$ is $-c_*>0$.
         """,
-        square_wave,
-        non_stop,
-        kernel.step("nonstop-by-halves-needs"),
+        *map(kernel.step, ("nonstop-by-halves-needs", "nonstop-damped", "nonstop-undamped")),
     )
 
 
 @cache
 def over_damped() -> Evidence:
     """The closed forms hold for a body 1 that does not oscillate."""
-    nu = Symbol("nu", positive=True)
     return argument(
         r"""
         The steps are identities in $\lambda$ and $\omega_d$, so they hold for $\omega_d=i\nu$, where $\cos$ and
@@ -104,11 +39,6 @@ def over_damped() -> Evidence:
         $1+2\delta\cosh\frac{\pi\nu}{\omega}+\delta^2$ positive. At $\omega_d=0$ they have limits, to which the
         conditions tend. That $U_{**}$ is the threshold above critical damping, too, is the kernel's theorem.
         """,
-        identity(
-            r"$\cos(i\nu)=\cosh\nu$ and $\sin(i\nu)/(i\nu)=\sinh(\nu)/\nu$",
-            [cos(sp.I * nu) - sp.cosh(nu), sin(sp.I * nu) / (sp.I * nu) - sp.sinh(nu) / nu],
-        ),
-        non_stop,
         below_non_stop,
         kernel.step("nonstop-overdamped"),
     )
@@ -131,16 +61,9 @@ def two_ends() -> Evidence:
             [first, second],
             [0, forced.coupling() * load_rate],
         ),
-        identity(
-            r"at $t_s=\pi/\omega$ the end gives $v_0=-\pi b/(2m_2\omega)$",
-            response.two_stop_conditions()[2],
-            -2 * (response.exit_speed + pi * b / (2 * m2 * omega)),
-        ),
-        non_stop,
     )
 
 
-MASS = m1 + m2
 GAIN, K, K_RATE = Symbol("G", positive=True), Symbol("k", real=True), Symbol("k'", real=True)
 RINGING = Symbol("omega_d", positive=True)
 WAVE = {K: response.square_place, K_RATE: response.square_speed}
@@ -365,12 +288,12 @@ def entrainment_threshold() -> Case:
     return because(
         "The amplitude up to which the pair can stick permanently has a closed form, and so has that below which no motion of the force's period slips permanently with two reversals. Without a damper a stuck motion above the first one exists exactly where the stuck pair's own frequency is an odd multiple of the force's, from the third on.",
         carried("undamped", undamped_stuck),
-        carried("letters", square_wave),
+        carried("letters"),
         carried("below", below_non_stop),
         carried("over-damped", over_damped),
-        carried("more-turns", six_turns, one_response),
+        carried("more-turns", six_turns, kernel.step("periodic-response")),
         carried("undamped-edge", tends_to_stuck),
         carried("two-ends", two_ends),
-        carried("near-ends", near_first, near_last, beside_thresholds(0), beside_thresholds(1)),
-        carried("only-one", one_response, only_one),
+        carried("near-ends", near_first, near_last),
+        carried("only-one", kernel.step("periodic-response"), only_one),
     )

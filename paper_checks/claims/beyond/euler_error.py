@@ -1,8 +1,6 @@
 """How far forward Euler is from the motion, whatever it takes for the sign at rest; and which steps show Fig. 5 (a)."""
 
 from numerics.trajectory.events import Segment
-from paper_checks.claims.beyond.contraction import never_apart
-from paper_checks.claims.beyond.static_friction import slip_rate
 from paper_checks.claims.section_4.starts import time
 from paper_checks.claims.words import *
 from paper_checks.decide.euler_in_balls import euler_in_balls
@@ -18,20 +16,13 @@ ALLOWED = Fraction(1, 1000)
 
 def local_error() -> Evidence:
     """What one step adds to the distance, whether its slip ends or not."""
-    rate = undamped(free(slip(1).acceleration1))
-    squared = m1 * rate**2 + a2 * v1**2
     return argument(
         r"""
         The motion that begins at the step's beginning does not move apart from the other one. Along the slip with the friction of the step $B$ is constant, so the step, its
         tangent, ends within $\frac12h^2\omega_1B$ of it. Where the slip ends within the step, the friction of that motion differs by at most $2b$ for at most $h$.
         """,
         kernel.step("euler-slip-step"),
-        identity(
-            r"along a slip $B$ is constant, and the norm of the second derivative of $(x_1,v_1,v_2)$ is $\omega_1B$",
-            [diff(squared, x1) * v1 + diff(squared, v1) * rate, a2 * rate**2 + m1 * (diff(rate, x1) * v1) ** 2],
-            [0, a2 / m1 * squared],
-        ),
-        never_apart,
+        kernel.step("contraction"),
     )
 
 
@@ -88,7 +79,7 @@ def shows_adhesion(step: Fraction = SHOWS) -> Evidence:
                 ">",
                 relative,
             ),
-            slip_rate,
+            kernel.step("slip-rate"),
             local_error,
         )
 
@@ -162,7 +153,6 @@ def euler_error() -> Case:
         the distance of two motions, but a step of Euler uses the friction and the forces at its beginning. Near $\dot z=0$
         that friction is off by up to $2b$, however small the step.
         """,
-        slip_rate,
         carried("turn", local_error),
         carried("fig-5a", shows_adhesion, _tried),
     )

@@ -1,12 +1,8 @@
 """Stick or slip under a force: the rule of modes, its ties, and why modes do not alternate without end."""
 
-from paper_checks.claims.beyond.contraction import one_solution
-from paper_checks.claims.letters import S, either_sign
+from paper_checks.claims.letters import MASS, S, either_sign
 from paper_checks.claims.words import *
 from theory.forced import U_RATES
-
-NEEDED = Symbol("P", real=True)
-"""The load, N, as a letter for the solvers."""
 
 
 @cache
@@ -18,122 +14,6 @@ def slip_rates() -> Evidence:
         r"in slip of sign $s$, $\ddot z=\kappa\,(\Lambda-sb)$, $\kappa=M/(m_1m_2)$",
         rates,
         by_load,
-    )
-
-
-@cache
-def slips_beyond() -> Evidence:
-    """Beyond the strip w leaves zero with the sign of the load, whichever slip is tried."""
-    rates = [cleared(forced.coupling() * (NEEDED - sign * b)) for sign in (1, -1)]
-    return prove(
-        r"where $\Lambda>b$ both slips have $\ddot z>0$: slip of sign $1$ goes on, slip of sign $-1$ and stick cannot (here $P=\Lambda$)",
-        [sp.Gt(NEEDED, b, evaluate=False)],
-        And(*(signed(rate, ">") for rate in rates)),
-    )
-
-
-@cache
-def sticks_within() -> Evidence:
-    """Inside the strip both slips come back to w = 0."""
-    rates = [sign * cleared(forced.coupling() * (NEEDED - sign * b)) for sign in (1, -1)]
-    return prove(
-        r"where $|\Lambda|<b$ slip of either sign has $s\,\ddot z<0$: neither can begin",
-        [sp.Lt(Abs(NEEDED), b, evaluate=False)],
-        And(*(signed(rate, "<") for rate in rates)),
-    )
-
-
-@cache
-def deviation() -> Evidence:
-    """In slip of sign s and in stick the motion beside the reference is driven by p."""
-    modes = [(mode, sign) for sign in (1, -1) for mode in ("stick", "slip+" if sign > 0 else "slip-")]
-    return identity(
-        r"where $\Lambda=sb$, $\eta=x_1-r$ beside $r=x_1+v_1t+sbt^2/2m_2$ has $I\ddot\eta+a_1\dot\eta+a_2\eta=p(t)$ in slip of sign $s$ ($I=m_1$) and in stick ($I=M$)",
-        [forced.deviation_force(mode, sign) for mode, sign in modes],
-        [forced.imbalance(sign) for _, sign in modes],
-    )
-
-
-@cache
-def excess() -> Evidence:
-    """The load beside the edge is p, but for terms in y and its rate."""
-    beside = [m2 / total_mass() * (forced.imbalance(s) - a1 * forced.gap_rate - a2 * forced.gap) for s in (1, -1)]
-    return identity(
-        r"there $\Lambda-sb=(m_2/M)(p-a_1\dot\eta-a_2\eta)$",
-        [forced.excess_load(sign) for sign in (1, -1)],
-        beside,
-    )
-
-
-@cache
-def relative_is_deviation() -> Evidence:
-    """In slip of sign s body 2 has the reference's acceleration, so w' is that of y."""
-    rates = [diff(forced.reference(s), t, 2) - slip(s).acceleration2 for s in (1, -1)]
-    return identity(r"in slip of sign $s$ body 2 keeps the velocity $\dot r$: $\dot z=\dot\eta$", rates)
-
-
-@cache
-def leading_term() -> Evidence:
-    """If p begins with c t^k, so does the load beside the edge; y and its rate are of higher order."""
-    k, c, inertia = (
-        Symbol("k", nonnegative=True, integer=True),
-        Symbol("c", real=True),
-        Symbol("I", positive=True),
-    )
-    rate = c * t ** (k + 1) / (inertia * (k + 1))
-    return argument(
-        r"""
-        Let $p=c\,t^k(1+O(t))$, $c\neq 0$. From $\eta=\dot\eta=0$ at $t=0$, with $m_1\leqslant I\leqslant M$ even where
-        the modes alternate, Gronwall's inequality gives $|\dot\eta|\leqslant C|t|^{k+1}$, $|\eta|\leqslant C|t|^{k+2}$
-        on both sides of $0$. So $\Lambda-sb=(m_2/M)\,p\,(1+O(t))$ has the sign of $p$ near $0$, and in slip $\dot
-        z=\dot\eta=c\,t^{k+1}(1+O(t))/((k+1)m_1)$.
-        """,
-        deviation,
-        excess,
-        relative_is_deviation,
-        identity(r"$\frac{d}{dt}\frac{c\,t^{k+1}}{I(k+1)}=\frac{c\,t^k}{I}$", diff(rate, t), c * t**k / inertia),
-        cites=("Gronwall's inequality",),
-    )
-
-
-@cache
-def strict_rule() -> Evidence:
-    """The rule off the edges."""
-    return argument(
-        r"""
-        $\Lambda$ is continuous from the right. Where $s\Lambda>b$ the slip of sign $s$ from $\dot z=0$ has $s\dot
-        z>0$ for a while, so it is a solution; where $|\Lambda|<b$ stick meets its condition for a while. There is one
-        solution, so it is this one.
-        """,
-        slips_beyond,
-        sticks_within,
-        slip_rates,
-        one_solution,
-    )
-
-
-@cache
-def tie_rule() -> Evidence:
-    """The rule on an edge."""
-    return argument(
-        r"""
-        If the first nonzero $s\,p^{(k)}$ is positive, the slip of sign $s$ has $s\dot z>0$ right after, and is a
-        solution. If it is negative, stick has $s\Lambda<b$ right after, and is one. There is one solution, so it is
-        this one.
-        """,
-        leading_term,
-        one_solution,
-    )
-
-
-@cache
-def marginal_rule() -> Evidence:
-    """All derivatives zero: p = 0 for a while, so y = 0 in both modes."""
-    return argument(
-        r"An analytic $p$ with all derivatives zero is zero for a while. Then $\eta=0$ in both modes: both have $x_1=r$, $\dot z=0$ and $\Lambda=sb$.",
-        deviation,
-        excess,
-        relative_is_deviation,
     )
 
 
@@ -154,10 +34,7 @@ def finitely_many_events() -> Evidence:
         of $b$, so $\Lambda/b$ has a limit: where that is not $\pm 1$ it is as where $|\Lambda(0)|\neq b$, where it is
         $s$ as where $\Lambda(0)=sb$.
         """,
-        leading_term,
-        marginal_rule,
-        strict_rule,
-        tie_rule,
+        *map(kernel.step, ("mode-stick", "mode-slip", "mode-tie", "mode-marginal", "interface-no-zeno")),
     )
 
 
@@ -169,9 +46,6 @@ BESIDE: dict[Symbol, Callable[[int], Expr]] = {
     ETA: lambda _: forced.gap,
     ETA_RATE: lambda _: forced.gap_rate,
 }
-
-
-MASS = m1 + m2
 
 
 def tie(order: int) -> Callable[[int], Expr]:

@@ -1,21 +1,9 @@
 """A continuum of periodic motions under one force that jumps, without a damper."""
 
-from numerics.scene import Piece
-from paper_checks.claims.beyond.forced_modes import slip_rates, strict_rule
 from paper_checks.claims.words import *
 from theory import jumping_force as jump
 
 HALF_PI = pi / 2
-DECIMALS = 40
-"""Decimals to which force, times and places are rounded where members of the family are solved."""
-
-
-SEEN_DIGITS = 60
-"""Right digits of those solutions: a slip ends within `DECIMALS` of where the force drops, which fewer do not tell apart."""
-
-
-SHOWN = (Fraction(-55, 100), Fraction(-46, 100), Fraction(-37, 100))
-"""Speeds at the exit, m/s, of the members that are solved and drawn."""
 
 
 @cache
@@ -32,17 +20,15 @@ def slips() -> Evidence:
         at its end: positive in between.
         """,
         identity(
-            r"$\dot z$ vanishes at $0$ and $\pi/2$ and has the slopes $v-1+\pi/2$ and $-1-v$ there",
-            [*ends, *slopes],
-            [0, 0, jump.speed - 1 + HALF_PI, -1 - jump.speed],
+            r"$\dot z$ vanishes at $0$ and $\pi/2$, has the slopes $v-1+\pi/2$ and $-1-v$ there and $\ddot z=-v\cos t-(\pi/2+v)\sin t$",
+            [*ends, *slopes, diff(relative, t, 2)],
+            [
+                *(0, 0, jump.speed - 1 + HALF_PI, -1 - jump.speed),
+                -jump.speed * cos(t) - (HALF_PI + jump.speed) * sin(t),
+            ],
         ),
-        identity(
-            r"its second derivative is $-v\cos t-(\pi/2+v)\sin t$",
-            diff(relative, t, 2),
-            -jump.speed * cos(t) - (HALF_PI + jump.speed) * sin(t),
-        ),
-        compare(r"every $v$ of the family is negative: the largest is", ball(fastest), "<", exact(0)),
-        compare(r"and every $\pi/2+v$ is positive: the smallest is", ball(HALF_PI + slowest), ">", exact(0)),
+        compare(r"every $v$ of the family is negative: the largest is", ball(fastest), "<", point(0)),
+        compare(r"and every $\pi/2+v$ is positive: the smallest is", ball(HALF_PI + slowest), ">", point(0)),
     )
 
 
@@ -72,17 +58,12 @@ def sticks() -> Evidence:
             "the largest load where a stick begins is below $b=1$",
             ball(first.subs(jump.speed, slowest)),
             "<",
-            exact(1),
+            point(1),
         ),
         compare(r"the stick turns by less than $\pi$", ball(2 * sp.atan(sqrt(2))), "<", ball(pi)),
-        identity(
-            "that is the turn of the stuck pair, whose frequency is $1/\\sqrt 2$",
-            jump.stick_time() / sqrt(2),
-            2 * sp.atan(sqrt(2)),
-        ),
         slips,
-        slip_rates,
-        strict_rule,
+        kernel.step("mode-stick"),
+        kernel.step("mode-slip"),
     )
 
 
@@ -103,43 +84,4 @@ def keeps_apart() -> Evidence:
         r"Under a force with $u(t+H)=-u(t)$ the state after $H$ is always minus the state before, so each member has the period $2H$. Two of them have the same distance after each period, which is not $0$.",
         returns,
         sticks,
-        identity(
-            r"that distance is $N=\sqrt 3\,|v-\tilde v|$ at the exit",
-            jump.apart_squared(),
-            3 * (jump.speed - jump.other_speed) ** 2,
-        ),
-        seen,
     )
-
-
-def member(speed: Fraction, periods: int = 1) -> Scene:
-    """Return the member with this speed (m/s) at the exit over some periods; force, times and place to `DECIMALS`."""
-    half, pieces = jump.SLIP_TIME + jump.stick_time(), []
-    for number in range(2 * periods):
-        begin = number * half
-        pieces.append(Piece(_decimal(begin), ((-1) ** number * _decimal(jump.PUSH),)))
-        pieces.append(Piece(_decimal(begin + jump.SLIP_TIME), (0,)))
-    place = _decimal(jump.exit_state()[0].subs(jump.speed, Rational(speed)))
-    start = State(x1=place, v1=speed, v2=speed)
-    return Scene(Pair(1, 1, 1, 1), start, until=_decimal(2 * periods * half), force=Force(pieces))
-
-
-def _decimal(value: Expr | int) -> Fraction:
-    return Fraction(str(sp.N(value, DECIMALS + 5))).limit_denominator(10**DECIMALS)
-
-
-@cache
-def seen() -> Steps:
-    """Members solved in balls, rounded to many decimals: their modes, and how near they come back."""
-    found = []
-    for speed in SHOWN:
-        run = solved(member(speed), SEEN_DIGITS)
-        start, end = run.sol(0), run.sol(run.scene.until, side="left")
-        error = max((abs(end[place] - start[place]) for place in (0, 1, 3)), key=float)
-        modes = (Mode.SLIP_PLUS, Mode.STICK, Mode.SLIP_MINUS, Mode.STICK)
-        found.append(itinerary(f"$v={float(speed):g}$, in balls: slip, stick, slip, stick", run, modes).as_support())
-        back = compare(
-            "after a period it is back (largest difference, SI units)", error, "<", exact(Rational(1, 10**20))
-        )
-        found.append(back.as_support())
-    return tuple(found)

@@ -1,49 +1,9 @@
 """Which energies merge at the first landing, and which after crossings."""
 
-from paper_checks.claims.beyond.critical_ratio import depth, half_angle, rise, threshold
+from paper_checks.claims.beyond.critical_ratio import threshold
 from paper_checks.claims.letters import C, H, R, in_angle
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import shown
-from paper_checks.decide.roots import enclosed_root
 from theory.return_map import return_map_of_angle
-
-SHARES = (Fraction(3, 5), Fraction(7, 10), Fraction(4, 5), Fraction(9, 10), Fraction(99, 100), Fraction(1))
-DIGITS = 30
-
-
-def window(value: arb) -> tuple[arb, arb]:
-    """Return (theta_a, theta_b) for a share above r*, the roots of h = sqrt(r) c; call inside `precision`."""
-    turning = Fraction(379727574, 10**8)
-
-    def excess(theta: arb) -> arb:
-        return rise(theta) - value.sqrt() * depth(theta)
-
-    return (
-        enclosed_root(excess, Fraction(1, 2), turning, DIGITS),
-        enclosed_root(excess, turning, Fraction(628, 100), DIGITS),
-    )
-
-
-@cache
-def windows() -> Evidence:
-    """Both roots and the interval of y = w/q for some shares, and in the limit r = 1, m1/m2 -> 0."""
-    texts = []
-    with precision(DIGITS):
-        straddled = True
-        for one in SHARES:
-            low, high = window(point(one))
-            straddled = straddled and bool(low < 2 * half_angle() and high > 2 * half_angle())
-            levels = ", ".join(shown(rise(theta) ** 2, 25) for theta in (low, high))
-            texts.append(f"r = {one}: w/q from and to {levels}")
-    return enclosed(
-        r"""
-        $\theta_a<\theta^*<\theta_b$ and the interval of $w/q$ that merges at the first re-entry, for some shares $r$
-        and in the limit $r=1$ ($m_1/m_2\to 0$)
-        """,
-        straddled,
-        "; ".join(texts),
-        len(SHARES),
-    )
 
 
 @theorem(
@@ -104,7 +64,6 @@ def merging_set() -> Case:
         monotone on both sides the roots are continuous in $r$ up to $r=1$. A pair that crosses $S$ does so in long and
         short slips in turn, and its re-entry, at the end of a short one, is above $E_{cr}$.
         """,
-        windows,
         threshold,
         figure="merging-interval",
     )

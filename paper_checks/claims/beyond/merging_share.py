@@ -8,8 +8,6 @@ import numpy as np
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 from paper_checks.claims.letters import R
-from paper_checks.claims.section_3.capture import stays_below_critical
-from paper_checks.claims.section_3.convergence import contact_again, stays_stuck
 from paper_checks.claims.words import *
 from theory.merging_share import density, dissipation, divergence, flux, large_energy_limit, level, relative, sphere
 from theory.symbols import r as share_of_q
@@ -49,19 +47,19 @@ def outcome(share: Fraction, trajectory: Trajectory) -> str | None:
         return CREEPS if any(w > 0 and w < level for w in exits) else None
 
 
-def decided(pair: Pair, at: State) -> str:
-    """Return in float64 what becomes of a pair with L = Omega = M = 1: it merges, or creeps; "" if that stays open.
+def decided(pair: Pair, at: State) -> bool:
+    """Return in float64 whether a pair with L = Omega = M = 1 merges, up to the last of `STAGES`.
 
-    A run is made longer only until that is known: on a ray with 0 < w <= q (pi/2 - 1)^2 it never merges.
+    A run is made longer only until it is known: on a ray with 0 < w <= q (pi/2 - 1)^2 it never merges.
     """
     level = float(pair.m1) * 0.3258
     for until in STAGES:
         run = solve(Scene(pair, at, until))
         if run.status is Status.STUCK_FOR_EVER:
-            return MERGES
+            return True
         if any(one.kind is EventKind.EXIT and 0 < one.reduced.w < level for one in run.events):
-            return CREEPS
-    return ""
+            break
+    return False
 
 
 @cache
@@ -96,22 +94,14 @@ def exact_share() -> Evidence:
         that it comes from have the measure of the flux through $S$ over the rate at which $E$ is passed; both
         half-spaces are mirror images.
         """,
-        contact_again,
-        stays_below_critical,
-        kernel.step("no-low-level"),
-        kernel.step("heavy-never-merges"),
-        identity("the flow of slip preserves volume: its divergence is 0", divergence()),
-        identity("the flux through $S$ is $(1-X)/q$", flux(), (1 - X) / q),
-        identity("$E/E_{cr}$ falls at the rate $2r\\,|V_1-V_2|$", dissipation(), 2 * r * relative),
+        *map(kernel.step, ("contact", "sticks-iff", "no-low-level", "heavy-never-merges")),
         identity(
-            "the sphere has the measure $2\\pi\\sqrt{E/(qr)}$ (units of $E_{cr}$)",
-            sphere(),
-            2 * pi * sqrt(level) / sqrt(q) / sqrt(r),
-        ),
-        identity(
-            "together: the density on the disc",
-            density(),
-            (1 - X) / relative / (2 * pi * sqrt(q) * sqrt(r) * sqrt(level)),
+            r"""
+            the flow of slip preserves volume (its divergence is 0), the flux through $S$ is $(1-X)/q$, $E/E_{cr}$ falls at the
+            rate $2r\,|V_1-V_2|$, and the sphere has the measure $2\pi\sqrt{E/(qr)}$ (units of $E_{cr}$)
+            """,
+            [divergence(), flux(), dissipation(), sphere()],
+            [0, (1 - X) / q, 2 * r * relative, 2 * pi * sqrt(level) / sqrt(q) / sqrt(r)],
         ),
         cites=("Liouville's theorem",),
     )
@@ -127,9 +117,8 @@ def just_above() -> Evidence:
         below $1+r\,\eta^2/(2K)$ to below $1$, and the pair merges. The states with $|V_1-V_2|<\eta$ are a share that
         tends to $0$ with $\eta$, uniformly up to $2E_{cr}$.
         """,
-        contact_again,
-        stays_below_critical,
-        stays_stuck,
+        kernel.step("contact"),
+        kernel.step("sticks-iff"),
         identity("$E/E_{cr}$ falls at the rate $2r\\,|V_1-V_2|$", dissipation(), 2 * r * relative),
     )
 
@@ -140,7 +129,6 @@ def limit() -> Evidence:
     return argument(
         "Where the slip has the energy $E$, $X$ and $V_1$ are bounded, so $r\\,|V_1-V_2|^2/E\\to 1$ as $E\\to\\infty$, uniformly on the disc.",
         exact_share,
-        identity("$E$ times the share tends to $\\frac{1}{2\\sqrt q}$", large_energy_limit(), 1 / (2 * sqrt(q))),
     )
 
 
@@ -172,13 +160,10 @@ def random_states(share: Fraction, energy: Fraction, cases: int, seed: int) -> E
     pair = Pair(m1=1 - share, m2=share, a2=1, b=share)
     for _ in range(cases):
         point = [source.gauss(0, 1) for _ in range(3)]
-        scale = math.sqrt(float(energy) / sum(one**2 for one in point))
-        x, first, second = (
-            scale * one / root
-            for one, root in zip(point, (1, float(pair.m1) ** 0.5, float(pair.m2) ** 0.5), strict=True)
-        )
-        start = State(x1=Fraction(x), v1=Fraction(first), v2=Fraction(second))
-        merged += decided(pair, start) == MERGES
+        scale = math.sqrt(float(energy) / math.hypot(*point) ** 2)
+        weights = 1, float(pair.m1), float(pair.m2)
+        x, first, second = (Fraction(scale * one / weight**0.5) for one, weight in zip(point, weights, strict=True))
+        merged += decided(pair, State(x1=x, v1=first, v2=second))
     expected = by_quadrature(float(share), float(energy))
     deviation = math.sqrt(expected * (1 - expected) / cases)
     return Evidence(

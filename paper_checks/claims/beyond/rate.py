@@ -1,21 +1,9 @@
 """The $1/t$ law as a limit, and with explicit bounds from a stated time on."""
 
+from paper_checks.claims.beyond.excursions import sharp_limit
 from paper_checks.claims.letters import R, limit_of_energy, of_share
 from paper_checks.claims.words import *
-from theory.excursion import h
 from theory.rate_bounds import cycle_times, elapsed, excess_bounds, first_angle, first_depth, first_excess, gains
-from theory.return_map import depth as depth_of_angle
-from theory.return_map import depth_series, in_trigonometry
-
-
-@cache
-def depth_over_excess() -> Evidence:
-    """The limit of c/y at the ray's end."""
-    return identity(
-        r"$c/y\to\tfrac{3}{2}$ as $y\to 0$",
-        [taylor(in_trigonometry(depth_of_angle()) / h() ** 2, theta, 1), depth_series(7)[0]],
-        [Rational(3, 2)] * 2,
-    )
 
 
 @cache
@@ -52,7 +40,7 @@ def sharp_rate_constant() -> Case:
         Cesàro $1/(\Omega t\,w)\to\frac{9r}{4\pi q}$ along the exits, and as $w_{k+1}/w_k$ and $t_{k+1}/t_k$ tend to
         1, in $t$.
         """,
-        depth_over_excess,
+        sharp_limit,
         figure="sharp-rate",
     )
 
@@ -102,7 +90,6 @@ def rate_bounds_explicit() -> Case:
         falls with $y$ from $\tfrac{3}{2}$ and $c^2/y$ rises, so $1/y$ gains between $a'$ and $A$ per excursion; a cycle
         lasts between $T_-$ and $T_+$; and between two exits $w$ lies between its values there.
         """,
-        depth_over_excess,
         one_step,
         figure="rate-bounds",
     )

@@ -1,14 +1,12 @@
 """What one cycle adds to both sides of the $1/t$ law, enclosed."""
 
-import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any, NamedTuple
 
-import flint
-from flint import acb, arb, arb_poly, arb_series, fmpq
+from flint import acb, arb, arb_series, fmpq
 
 from numerics.arithmetic.precision import series_terms
 from paper_checks.decide.balls import point, precision
@@ -30,17 +28,8 @@ TERMS = 48
 """Terms of ln(1 - x)/x."""
 
 
-DENOMINATOR = math.lcm(*range(1, TERMS + 1))
-COEFFICIENTS = [-DENOMINATOR // n for n in range(1, TERMS + 1)]
-"""Those of its series, over one denominator, so that they are exact at every precision."""
-
-
 REACH, FIXED, WEIGHT = fmpq(4, 5), fmpq(2, 5), fmpq(4, 9)
 """Up to where that series is taken, and two numbers of the map."""
-
-
-SERIES = arb_poly(COEFFICIENTS)
-SLOPE = SERIES.derivative()
 
 
 def logarithm(x: Any) -> Any:
@@ -51,27 +40,15 @@ def logarithm(x: Any) -> Any:
     size = abs(x[0] if isinstance(x, arb_series) else x).upper()
     if not size < REACH:
         raise ArithmeticError(f"the series of the logarithm is not proved to converge: |x| = {size.str(5)}")
-    total = _first_terms(x) / DENOMINATOR
+    total = x * 0
+    for n in range(TERMS, 0, -1):
+        total = total * x - arb(1) / n
     # what is left out is at most |x|^N/(N (1 - |x|)), its derivative at most |x|^(N-1)/(1 - |x|)
     slope = 5 * size ** (TERMS - 1)
     tail = arb(0, (slope * size).upper())
     if isinstance(x, arb_series):
         return total + arb_series([tail, arb(0, slope.upper()) * x[1]])
     return total + (acb(tail, tail) if isinstance(x, acb) else tail)
-
-
-def _first_terms(x: Any) -> Any:
-    """Return the first terms over their denominator, in flint's own loop for numbers, and for value and slope."""
-    if isinstance(x, acb | arb):
-        return SERIES(x)
-    if flint.ctx.cap == 2:
-        return arb_series([SERIES(x[0]), SLOPE(x[0]) * x[1]])
-    # where x begins at the second power, its own powers begin twice as far out
-    wanted = COEFFICIENTS[: (flint.ctx.cap + 1) // 2 if x[0] == 0 == x[1] else TERMS]
-    total = x * 0
-    for one in reversed(wanted):
-        total = total * x + one
-    return total
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,5 @@
 """A force at the frequency of body 1 alone, without a damper: more than friction can take, less, and just as much."""
 
-from paper_checks.claims.beyond.contraction import energy_rate, never_apart
 from paper_checks.claims.beyond.response import natural_frequency
 from paper_checks.claims.words import *
 from theory import critical_resonance as critical
@@ -8,16 +7,6 @@ from theory import forced_response as response
 from theory.forced_response import natural
 
 SIGMA = Symbol("sigma", real=True)
-
-
-@cache
-def resonant_rate() -> Evidence:
-    """z' has no state in it."""
-    return identity(
-        r"with $a_2=m_1\omega_1^2$, $e^{i\omega_1t}\dot A=(u-b\sigma)/m_1$",
-        response.amplitude_rate(),
-        (u - b * Symbol("sigma", real=True)) / m1,
-    )
 
 
 @cache
@@ -34,13 +23,7 @@ def grows() -> Evidence:
         Over a period $T$ the force adds $U_1T/(2m_1)$ to $A$ in one direction, and friction, $|b\sigma|\leqslant b$,
         removes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a bounded amount.
         """,
-        resonant_rate,
         most_friction,
-        identity(
-            r"so $|A|$ gains $(U-4b/\pi)/(2m_1)$ in the mean",
-            response.growth_rate(),
-            (response.amplitude / 2 - 2 * b / pi) / m1,
-        ),
     )
 
 
@@ -57,8 +40,7 @@ def stays_bounded() -> Evidence:
         constant: at least $(2/\pi)R\,nT$, and at least $(|v_2|-R)nT$. So over $n$ periods $E$ falls wherever it is
         large enough, and in between it rises by a bounded factor only.
         """,
-        energy_rate,
-        resonant_rate,
+        kernel.step("forced-energy-rate"),
         most_friction,
         identity(
             r"$\int|\cos s-c|\,ds$ over a turn is $4$ at $c=0$ and has the slope $4\arcsin c\geqslant 0$",
@@ -84,7 +66,6 @@ def turns() -> Evidence:
         For large $X$ its rate is not $0$ where $|\cos\theta|\leqslant\frac12$: $\dot z$ has one zero near each of $\cos\theta$, late by an angle of
         $-f/X+O(X^{-2})$, $f=Y+sP+e_k$, and none elsewhere; the pair does not stick. In between $X,Y,P$ are constant.
         """,
-        resonant_rate,
         identity(
             r"such a passage adds $bf^2/(m_1\omega_1X^2)$ to $X$, $-2bf/(\omega_1X)$ to $m_1Y$ and $s$ times that to $m_2P$, to first order in $1/X$",
             [entry for at in both for entry in critical.gain(at)],
@@ -110,7 +91,7 @@ def third_root() -> Evidence:
         """,
         turns,
         kernel.step("third-root-law"),
-        never_apart,
+        kernel.step("forced-contraction"),
     )
 
 

@@ -1,58 +1,10 @@
 """The response to a periodic force: the one that attracts, and what moves body 2 on."""
 
 from paper_checks.claims.beyond import jumping_force
-from paper_checks.claims.beyond.contraction import force_cancels, never_apart, one_solution
-from paper_checks.claims.beyond.forced_modes import strict_rule, tie_rule
-from paper_checks.claims.section_5 import plane
+from paper_checks.claims.letters import DISTANCE
 from paper_checks.claims.words import *
 from theory import jumping_force as jumping
 from theory.forced_response import natural, rates
-
-
-@cache
-def bounded() -> Evidence:
-    """Body 1 is a damped oscillator under a bounded force; body 2 is slowed down when it is faster."""
-    push = forced.forced_system(sigma)
-    return argument(
-        r"""
-        Body 1 is a linear oscillator with $a_1>0$ under the bounded force $u-b\sigma$, so $x_1$ and $v_1$ are
-        bounded. Where $|v_2|$ exceeds the bound of $|v_1|$, $\dot z$ has the sign of $-v_2$, and $|v_2|$ falls at the
-        rate $b/m_2$.
-        """,
-        identity(
-            r"body 2 has $m_2\dot v_2=b\sigma$, body 1 $m_1\dot v_1+a_1v_1+a_2x_1=u-b\sigma$",
-            [m2 * push[2], (m1 * push[1] - u).subs({x1: 0, v1: 0})],
-            [b * sigma, -b * sigma],
-        ),
-    )
-
-
-@cache
-def approach() -> Evidence:
-    """With a damper two motions under one bounded force approach each other."""
-    return argument(
-        r"""
-        $N$ has a limit. Limits of both motions, shifted in time, attain it and keep their distance, so $v_1=\tilde v_1$
-        and the friction forces differ by $-a_2(x_1-\tilde x_1)$, a constant; as $v_2-\tilde v_2$ is bounded, the
-        constant is $0$. Then $\dot z-\dot{\tilde z}=c$ is constant under equal friction. If $c\neq 0$, $\dot z$ and
-        $\dot z-c$ never have opposite signs, so $\dot z$ does not enter the interval between $0$ and $c$: it keeps one
-        sign, friction is always $b$ or always $-b$, and $v_2$ is not bounded. So $N\to 0$.
-        """,
-        bounded,
-        never_apart,
-        force_cancels,
-    )
-
-
-@cache
-def one_response() -> Evidence:
-    """Existence by a fixed point, uniqueness and attraction by the approach."""
-    return argument(
-        r"The map over one period does not increase $N$, and its orbits are bounded: it has a fixed point. Every motion approaches the one through it.",
-        approach,
-        one_solution,
-        cites=("Browder and Petryshyn: a nonexpansive map with a bounded orbit has a fixed point",),
-    )
 
 
 @cache
@@ -67,15 +19,14 @@ def goes_round() -> Evidence:
         f^*|=b$ both $\mathbf w$ and $\mathbf w^*$ are along $\mathbf f^*$, or $0$: so is $\mathbf c$ while $\mathbf
         f^*$ rotates, and $\mathbf c=0$.
         """,
-        plane.never_apart,
+        kernel.step("system-contraction"),
+        kernel.step("rotating-motion"),
     )
 
 
 @cache
 def undamped_attraction() -> Evidence:
     """Without a damper one stick exit with a slip after it is enough, where the force is continuous at that exit."""
-    place, relative = forced.undamped_difference()
-    frequency = Symbol("omega_1", positive=True)
     return argument(
         r"""
         Let $\eta_*$ be the periodic motion, $\zeta$ a limit of another one shifted by periods: $N(\zeta-\eta_*)$ is
@@ -88,19 +39,7 @@ def undamped_attraction() -> Evidence:
         same friction or the same $\dot z$, either way $s\dot z\leqslant 0$. So $\dot z=0$ for $\zeta$ at that end, too,
         hence $\beta(\cos\omega_1t_s-1)=0$, $\beta=0$, and $\zeta=\eta_*$.
         """,
-        identity(
-            r"the difference starts as $0$ with the rate $\beta$, and $\dot z-\dot{\tilde z}$ vanishes with $\beta$ or $\cos\omega_1t=1$",
-            [place.subs(t, 0), diff(place, t).subs(t, 0), relative],
-            [0, forced.velocity_gap, forced.velocity_gap * (cos(frequency * t) - 1)],
-        ),
-        identity(
-            r"in stick the load falls by $(m_2/M)a_2$ with $x_1$: equal loads are equal places",
-            diff(forced.load(), x1),
-            -m2 * a2 / (m1 + m2),
-        ),
-        never_apart,
-        strict_rule,
-        tie_rule,
+        *map(kernel.step, ("forced-contraction", "mode-stick", "mode-slip", "mode-tie")),
     )
 
 
@@ -111,9 +50,6 @@ def natural_frequency() -> Formula:
 
 AHEAD, NATURAL = Symbol("beta", real=True), Symbol("omega_1", positive=True)
 """What both velocities of one pair are ahead of those of another, and the frequency of body 1 alone."""
-
-
-DISTANCE = Symbol("N", nonnegative=True)
 
 
 @theorem(

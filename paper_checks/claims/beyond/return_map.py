@@ -17,7 +17,6 @@ from theory.return_map import (
     depth_series,
     in_trigonometry,
     return_map_of_angle,
-    return_map_series,
     scaled_excess,
 )
 
@@ -37,18 +36,6 @@ EDGE, GROWTH = Fraction(1, 16), Fraction(33, 32)
 def printed_depth_coefficients() -> tuple[Rational, ...]:
     """Return the coefficients of c that the theorem states."""
     return Rational(3, 2), -Rational(27, 40), Rational(243, 560)
-
-
-@cache
-def coefficients() -> Evidence:
-    """w'(w) with exact coefficients."""
-    polynomial = expand(return_map_series(ORDER))
-    scaled = sp.collect(expand(q * polynomial.subs(Symbol("y", positive=True), w / q)), w, sp.factor)
-    return identity(
-        r"$w'=w-\tfrac{9r}{4q}w^2+\tfrac{81r}{40q^2}w^3-\cdots$",
-        [scaled.coeff(w, 2), scaled.coeff(w, 3)],
-        [-9 * r / (4 * q), 81 * r / (40 * q**2)],
-    )
 
 
 def lost_coefficients() -> tuple[Rational, ...]:
@@ -240,6 +227,5 @@ def return_map_expansion() -> Case:
         carried("series", beyond),
         carried("remainder", lost),
         carried("time", kernel.step("cycle-time-exact"), cycle_time),
-        coefficients,
         figure="return-map",
     )

@@ -1,25 +1,10 @@
 """Is creeping robust? Static friction above kinetic, by any jump, ends it; a finite slope of friction keeps its rate."""
 
-from numerics.scene import Friction, Weakening
 from paper_checks.claims.letters import limit_of_energy
 from paper_checks.claims.words import *
 from theory import finite_slope
-from theory.finite_slope import END, SCALED, scaled_time, slope
-from theory.forced import load
-from theory.near_critical import inverse_step
+from theory.finite_slope import SCALED, scaled_time, slope
 from theory.scaling import to_si
-from theory.symbols import r as share_of_q
-
-
-@cache
-def slip_rate() -> Evidence:
-    """Return how the relative velocity of a slip changes, by the load."""
-    there = slip(1)
-    return identity(
-        r"a slip of sign $+$ has $\ddot z=\kappa(\Lambda-b)$, $\kappa=\frac1{m_1}+\frac1{m_2}$",
-        there.acceleration1 - there.acceleration2,
-        (1 / m1 + 1 / m2) * (load() - b),
-    )
 
 
 @cache
@@ -33,7 +18,6 @@ def merges_or_tends() -> Evidence:
         to a stuck motion whose load is within $b$. Hence $E\to E_{cr}$. Where that motion has $|\Lambda|<b$ the pair
         sticks from some time on, up to $|\Lambda|=b$: it leaves $S_0$ by the rays, with $w\to 0$.
         """,
-        slip_rate,
         kernel.step("interface-synchronises"),
         kernel.step("state-well-posed"),
     )
@@ -43,7 +27,6 @@ def merges_or_tends() -> Evidence:
 def slope_drops_out() -> Evidence:
     """One excursion: in scaled time its equations tend to those of a constant friction, and its end is simple."""
     place, speed, relative = SCALED
-    end = finite_slope.path().subs({epsilon: 0, scaled_time: END})
     return argument(
         r"""
         Let $b(\cdot)=(1-g)\,b$ in a slip from a ray with the speed $\varepsilon=\sqrt w$. In the time $\varepsilon s$,
@@ -69,33 +52,7 @@ def slope_drops_out() -> Evidence:
             finite_slope.path()[2].coeff(epsilon, 0),
             scaled_time**2 * (3 - scaled_time) / (6 * q),
         ),
-        identity(r"$\xi=-\frac32$, $\eta=-2$ and $y=0$ at its end", end, Matrix([-Rational(3, 2), -2, 0])),
-        identity(
-            r"and with constant friction $\frac1{w'}-\frac1w\to\frac{9r}{4q}$", inverse_step(), 9 * share_of_q / (4 * q)
-        ),
     )
-
-
-def one_excursion(share: Fraction, fall: int) -> Evidence:
-    """Enclose what 1/w gains in an excursion with w = 1e-8, beside the first two terms of its expansion."""
-    speed = Fraction(1, 10**4)
-    friction = Friction((), Weakening(last_slope=-fall * (1 - share)))
-    scene = Scene(Pair(share, 1 - share, 1, 1 - share), State(1, speed, 0, speed), until="0.01", friction=friction)
-    run = solved(scene, 45)
-    with run.arithmetic.context():
-        before, end = exact(Rational(speed) ** 2), run.sol(scene.until)
-        after = end[0] ** 2 + end[1] ** 2 - 1
-        gained = (1 / after - 1 / before) * exact(Rational(4 * share / (9 * (1 - share))))
-        terms = finite_slope.gain().subs({slope: fall, q: Rational(share), epsilon: Rational(speed)})
-        return compare(
-            f"$q={share}$, $k={fall}$, $w=10^{{-8}}$: the gain over its limit is within $10^{{-5}}$ of both terms",
-            abs(gained - exact(terms)),
-            "<",
-            exact(Rational(1, 10**5)),
-        ).as_support()
-
-
-CASES = [(Fraction(1, 2), 0), (Fraction(1, 2), 5), (Fraction(1, 2), -5), (Fraction(1, 5), 1), (Fraction(4, 5), 5)]
 
 
 @cache
@@ -109,7 +66,6 @@ def next_term() -> Evidence:
         exits $w$ and the time change by the factor $1+O(1/n)$.
         """,
         slope_drops_out,
-        *(one_excursion(*case) for case in CASES),
         cites=("Stolz and Cesàro",),
     )
 
@@ -186,7 +142,6 @@ def static_friction_stops_creeping() -> Case:
         duration and a least loss. Without the jump slips near $E_{cr}$ are so slow, $|\dot z|$ of the order $w^{3/2}$, that
         friction is almost $b$ in them, and they may lose arbitrarily little.
         """,
-        slip_rate,
         carried("slope", merges_or_tends, slope_drops_out),
         carried("step", next_term),
         carried("approach", next_term),

@@ -1,38 +1,8 @@
 """A pair that sticks for ever under a periodic force, without a damper."""
 
-from paper_checks.claims.beyond.contraction import one_solution
 from paper_checks.claims.words import *
 from theory import forced_response as response
-from theory.forced_response import amplitude, multiple, omega
-
-
-@cache
-def geometric() -> Evidence:
-    """The size of what one factor of the series has at an integer."""
-    angle = Symbol("psi", real=True)
-    return identity(
-        r"$|1-e^{i\psi}|^2=4\sin^2(\psi/2)$ with $\psi=\pi(\Omega/\omega+1)$: the ratio of the geometric mean is $1$ for odd $\Omega/\omega$ only",
-        (1 - cos(angle)) ** 2 + sin(angle) ** 2,
-        4 * sin(angle / 2) ** 2,
-    )
-
-
-@cache
-def stuck_response() -> Evidence:
-    """The stuck pair's response to the sine, and the friction that it needs."""
-    place = amplitude * sin(omega * t) / (a2 - total_mass() * omega**2)
-    undamped = diff(place, t, 2) - stick().acceleration1.subs(
-        {a1: 0, u: amplitude * sin(omega * t), x1: place, v1: diff(place, t)}, simultaneous=True
-    )
-    return argument(
-        r"The stuck pair is one body of mass $M$: its response has $|x_1|=U/|Z|$, $Z=a_2-M\omega^2+ia_1\omega$, and needs the friction $m_2\omega^2|x_1|\leqslant b$.",
-        identity(
-            r"force by place of the stuck pair on $e^{i\omega t}$",
-            response.stuck_impedance(),
-            a2 - total_mass() * omega**2 + sp.I * a1 * omega,
-        ),
-        identity(r"for $a_1=0$ the response is $U\sin\omega t/(a_2-M\omega^2)$", undamped),
-    )
+from theory.forced_response import multiple
 
 
 @cache
@@ -55,13 +25,6 @@ def harmonic_curve() -> Evidence:
             [quotient.subs(phi, 0), diff(quotient, phi)],
             [0, (1 - multiple**2) * sin(multiple * phi) * sin(phi)],
         ),
-        identity(
-            r"at $\pm\pi/2n$ a free oscillation adds opposite values: any $A\cos n\varphi+B\sin n\varphi$ has the sum $0$ there",
-            sum(
-                (cos(multiple * one) + sin(multiple * one) for one in (pi / 2 / multiple, -pi / 2 / multiple)),
-                sp.S.Zero,
-            ),
-        ),
     )
 
 
@@ -77,9 +40,7 @@ def undamped_stuck() -> Evidence:
         the mean is $\omega^2X\cos(\pi/2n)$ whatever is added, and a free oscillation attains it. If $\Omega=\omega$ the
         stuck motion grows like $t$.
         """,
-        stuck_response,
         harmonic_curve,
-        geometric,
     )
 
 
@@ -103,5 +64,5 @@ def tends_to_stuck() -> Evidence:
             -(b * sigma - force) * (v1 - v2),
         ),
         undamped_stuck,
-        one_solution,
+        kernel.step("forced-contraction"),
     )

@@ -59,6 +59,6 @@ def friction_in_any_direction() -> Case:
     """Friction is a subgradient, and what is left is monotone."""
     return because(
         "With a friction that is a subgradient the flow is non-expansive in the energy norm, in any number of directions. The power of the difference of two friction forces on the difference of two slips is never negative, as both are subgradients of one function; nor is that of dampers and springs. Where friction only brakes, the energy bounds the path of the slip. The pair is the special case of one direction.",
-        filippov.contraction,
+        filippov.never_apart,
         figure="two-motions",
     )

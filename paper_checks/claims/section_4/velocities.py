@@ -1,15 +1,10 @@
 """Section IV, Fig. 5 (a): the velocities, and what each cycle takes from their peaks."""
 
-from itertools import pairwise
-
-from numerics.scene import Law
 from numerics.trajectory.events import Segment
 from paper_checks.claims.section_4.starts import time
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import within
 
-TEETH = 10
-SLIPS = (Mode.SLIP_PLUS, Mode.SLIP_MINUS) * TEETH + (Mode.SLIP_PLUS,)
+SLIPS = (Mode.SLIP_PLUS, Mode.SLIP_MINUS) * 10 + (Mode.SLIP_PLUS,)
 """The itinerary up to the first adhesion: twenty crossings."""
 
 
@@ -48,17 +43,6 @@ def _ends(trajectory: Trajectory, segment: Segment) -> tuple[tuple[arb, arb], tu
     """Return (x1, v1) at both ends of a segment, SI."""
     first, last = (segment.state(since)[:2] for since in (trajectory.arithmetic.number(0), segment.length))
     return first, last
-
-
-def peak_after_adhesion(trajectory: Trajectory) -> arb:
-    """Return the next positive peak of v1, m/s: where the first stick phase from x1 < 0 to l_+ passes x1 = 0."""
-    frame = trajectory.frame
-    with trajectory.arithmetic.context():
-        for segment in trajectory.segments[_slips(trajectory) + 1 :]:
-            (x, v), (end, _) = _ends(trajectory, segment)
-            if segment.mode is Mode.STICK and x < 0 < end and v > 0:
-                return frame.speed * (1 + trajectory.reduced(segment.start).w).sqrt()
-    raise ValueError("no such stick phase in the solved time; solve further")
 
 
 def decrements(trajectory: Trajectory) -> tuple[list[arb], list[arb]]:
@@ -125,10 +109,7 @@ def damping_rate(friction: Fraction | None = None) -> Case:
     peaks, lost = decrements(run)
     with run.arithmetic.context():
         linear = 4 * run.arithmetic.number(scene.pair.b) / run.arithmetic.number(scene.pair.a2 * scene.pair.m1).sqrt()
-        spread = (lost[0] - lost[-1]) / linear
         off = [abs(one / linear - 1) for one in lost[:7]]
-        ratios = peaks[1] / peaks[0], peaks[-1] / peaks[-2]
-        late = (peaks[-1] - peak_after_adhesion(run)) / linear
     falling = replace(
         compare("the decrements fall from cycle to cycle; the last is below the first", lost[-1], "<", lost[0]),
         passed=all(after < before for before, after in pairwise(lost)),
@@ -146,18 +127,10 @@ def damping_rate(friction: Fraction | None = None) -> Case:
             last decrement are disjoint.
             """,
             falling,
-            compare(
-                "after the first adhesion the decrement is below half of $4b/\\sqrt{a_2m_1}$ (ratio shown)",
-                late,
-                "<",
-                arb("0.5"),
-            ),
         ),
-        _linear_decay,
         carried(
             "linear",
             itinerary("twenty crossings, then stick", run, (*SLIPS, Mode.STICK)),
-            _one_peak_in_each_slip(run),
             falling,
             enclosed(
                 "each of the first seven decrements is within 1 % of $4b/\\sqrt{a_2m_1}$; the largest relative distance",
@@ -165,57 +138,14 @@ def damping_rate(friction: Fraction | None = None) -> Case:
                 text(max(off, key=lambda one: one.mid())),
                 len(off),
             ),
-            within("range of the nine decrements over it", spread, "0.068", "0.069"),
-            within("not exponential: ratio of the first two peaks", ratios[0], "0.89", "0.90"),
-            within("and of the last two", ratios[1], "0.43", "0.44"),
         ),
         figure="velocities",
-    )
-
-
-def _one_peak_in_each_slip(trajectory: Trajectory) -> Evidence:
-    """Return where v1 has its peaks before the first adhesion: where x1 passes the centre of its oscillation."""
-    frame, pair = trajectory.frame, trajectory.scene.pair
-    slips = trajectory.segments[: _slips(trajectory)]
-    with trajectory.arithmetic.context():
-        turn = 2 * ball(pi) / frame.arithmetic.number(pair.a2 / pair.m1).sqrt()
-        centre = frame.arithmetic.number(pair.b / pair.a2)
-        short = all(segment.length < turn for segment in slips)
-        passed = []
-        for segment in slips:
-            (x, _), (end, _) = _ends(trajectory, segment)
-            passed.append(bool(x < -centre < end if segment.mode is Mode.SLIP_PLUS else x > centre > end))
-    return enclosed(
-        "$x_1$ passes $\\mp b/a_2$ once in each slip$\\pm$ but the first, which begins past it: upwards in slip$+$, where $v_1$ has its one "
-        "positive peak, and downwards in slip$-$, where it has none",
-        short and not passed[0] and all(passed[1:]),
-        f"{len(slips)} slips, none as long as a turn",
-        len(slips),
-        engine="numerics, balls",
     )
 
 
 def _milli(value: arb) -> str:
     """Return a speed in mm/s, as text of the digits that are right."""
     return str((1000 * value).str(6, radius=False))
-
-
-def _linear_decay() -> Steps:
-    """Return the centre of oscillation in each slip, and what the jump of the centre does to the squared amplitude."""
-    force = [undamped(free(slip(sign).acceleration1)) for sign in (1, -1)]
-    squares = [(x1 + sign * b / a2) ** 2 + m1 / a2 * v1**2 for sign in (1, -1)]
-    return (
-        identity(
-            "in slip$\\pm$ $\\ddot x_1=-\\frac{a_2}{m_1}(x_1\\pm b/a_2)$",
-            force,
-            [-a2 / m1 * (x1 + sign * b / a2) for sign in (1, -1)],
-        ),
-        identity(
-            "at a crossing the squared amplitude changes by $-4bx_1/a_2$",
-            squares[1] - squares[0],
-            -4 * b * x1 / a2,
-        ),
-    )
 
 
 @claim(
@@ -245,9 +175,7 @@ def saw_tooth(friction: Fraction | None = None) -> Case:
         carried(
             "slopes",
             itinerary("slip+ and slip- in turn, 21 pieces, then stick", run, (*SLIPS, Mode.STICK)),
-            within("first adhesion (s)", run.events[len(SLIPS) - 1].t, "4.549769", "4.549770"),
         ),
-        *literal_reading(friction),
         figure="velocities",
     )
 
@@ -255,13 +183,3 @@ def saw_tooth(friction: Fraction | None = None) -> Case:
 def first_contact(friction: Fraction | None) -> str:
     """Return the time of the first contact under (11), (12) read literally, s, as a decimal."""
     return rounded(solved(replace(velocities_scene(friction), law=Law.THREE_VALUED_SGN)).events[0].t, 4)
-
-
-def literal_reading(friction: Fraction | None) -> Steps:
-    """Return what (11), (12) read literally do from the same start."""
-    run = solved(replace(velocities_scene(friction), law=Law.THREE_VALUED_SGN))
-    return (
-        itinerary("(11), (12) read literally: slip+, then stick", run, (Mode.SLIP_PLUS, Mode.STICK)),
-        stuck_for_ever("and that stick is permanent", run),
-        within("from the first contact on, at (s)", run.events[0].t, "0.106886", "0.106887"),
-    )

@@ -1,6 +1,6 @@
 """Points of state and parameter space at which counterexamples stand, as exact rationals in SI units."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 import sympy as sp
@@ -23,24 +23,17 @@ def at_rest(position: str) -> dict[Symbol, Rational | int]:
 
 # The start of the paper's Fig. 4 (a), beyond the edge of S0; a point inside it; the edge itself.
 START_AT_6MM = at_rest("0.006")
-INSIDE = at_rest("0.004")
-EDGE = at_rest("0.005")
+AT_4MM = at_rest("0.004")
+AT_5MM = at_rest("0.005")
 
 
 def scene_at(point: Values, until: str) -> Scene:
-    """Return the scene that starts at a point, with the horizon `until` (s); x1, v1, x2, v2 default to 0.
+    """Return the scene that starts at a point, with the horizon `until` (s); what the point has no value for is 0."""
 
-    Raises KeyError where the point has no value for a parameter, ValueError where it has a control.
-    """
-    if point.get(u, 0) != 0:
-        raise ValueError("a scene is free: u must be 0")
+    def values(*symbols: Symbol) -> Iterator[Fraction]:
+        return (Fraction(str(point.get(symbol, 0))) for symbol in symbols)
 
-    def value(symbol: Symbol, default: int | None = None) -> Fraction:
-        found = point[symbol] if default is None else point.get(symbol, default)
-        return Fraction(str(found))
-
-    pair = Pair(m1=value(m1), m2=value(m2), a1=value(a1), a2=value(a2), b=value(b))
-    return Scene(pair, State(value(x1, 0), value(v1, 0), value(x2, 0), value(v2, 0)), Fraction(until))
+    return Scene(Pair(*values(m1, m2, a2, b, a1)), State(*values(x1, v1, x2, v2)), Fraction(until))
 
 
 PULL = sp.Symbol(r"\ddot{x}_1", real=True)

@@ -113,10 +113,6 @@ def raised(value):
 
 
 failing = changed(lambda step: replace(step, passed=False))
-inwards_missed = part("position", lambda one: 2 - one)
-"""The excursion with re-entry on the other side of the edge."""
-reversed_contact = part("second", lambda one: -one)
-"""A slip that touches S and curves back into the half-space that it came from."""
 crossing_contact = changed(lambda contact: replace(contact, first=contact.second))
 """A guard without the double root."""
 

@@ -34,19 +34,6 @@ def test_one_part_at_a_fraction_grows_as_stated(order):
     assert growth((push, order, 0.3)) == pytest.approx(float(critical.growth_by_one_part().subs(known)), rel=0.02)
 
 
-def test_parts_at_fractions_add_up_by_their_moments():
-    """Over six half turns the integral of u sin is taken by the midpoint rule."""
-    parts, count = ((4, Fraction(1, 3), 0.3), (3, Fraction(4, 3), 1.1)), 6000
-    nodes = [(n + 0.5) * math.pi / count for n in range(6 * count)]
-    steps = [sum(p * math.cos(float(r) * at + psi) for p, r, psi in parts) * math.sin(at) for at in nodes]
-    at_zeros = [sum(steps[: (2 * k + 1) * count // 2]) * math.pi / count / float(OMEGA) for k in range(6)]
-    means = [sum(at_zeros[side::2]) / 3 for side in (0, 1)]
-    moments = sum((one - means[k % 2]) ** 2 for k, one in enumerate(at_zeros))
-    period = 6 * math.pi / float(OMEGA)
-    known = {b: B, m1: M1, natural: OMEGA, critical.period: period, critical.moments: moments}
-    assert growth(*parts) == pytest.approx(float(critical.growth().subs(known)), rel=0.05)
-
-
 @pytest.mark.parametrize(
     ("parts", "grows"),
     [

@@ -9,7 +9,6 @@ import pytest
 from numerics import Pair, Scene, State, load_scene
 from numerics.trade.forward_euler import forward_euler
 from paper_checks.claims.beyond.euler_error import ALLOWED, LATEST, SHOWS, shows_adhesion
-from paper_checks.claims.section_3.itineraries import never_merges
 from paper_checks.claims.section_4 import euler
 from paper_checks.decide import euler_in_balls as decide_euler
 from paper_checks.decide.enclosure import solved
@@ -44,12 +43,6 @@ def test_many_steps_at_once_are_as_many_steps(name, monkeypatch):
     assert (jumped.contact, jumped.chatter, jumped.adhesion) == (single.contact, single.chatter, single.adhesion)
     assert jumped.energy_ratio.overlaps(single.energy_ratio)
     assert jumped.energy_ratio.rad() < single.energy_ratio.rad()  # it has rounded less often
-
-
-def test_the_argument_for_endless_slips_refuses_a_heavier_driven_body():
-    scene = replace(load_scene("velocities"), pair=Pair(m1=1, m2=2, a2=200, b="0.05"))
-    with pytest.raises(ValueError, match="m2 <= m1"):
-        never_merges(solved(scene), "heavier")
 
 
 @pytest.mark.parametrize("step", [Fraction(2, 10**5), Fraction(13, 10**6)])

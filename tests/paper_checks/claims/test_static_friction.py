@@ -4,20 +4,29 @@ import math
 from fractions import Fraction
 
 import pytest
+from sympy import Rational
 
 from numerics import Friction, Pair, Scene, State, Weakening, solve
-from paper_checks.claims.beyond.static_friction import one_excursion
 from theory import finite_slope
 from theory.symbols import epsilon, q
 
 HALF = Fraction(1, 2)
 
 
-@pytest.mark.parametrize("coefficient", [Fraction(5, 4), Fraction(7, 6), Fraction(-6, 5)])
-def test_another_coefficient_of_the_slope_is_refused(monkeypatch, coefficient):
-    monkeypatch.setattr(finite_slope, "gain", lambda: 1 + coefficient * finite_slope.slope * epsilon / q)
-    assert one_excursion(HALF, 0).passed
-    assert one_excursion(HALF, 5).passed is False
+@pytest.mark.parametrize(
+    ("share", "fall"), [(HALF, 0), (HALF, 5), (HALF, -5), (Fraction(1, 5), 1), (Fraction(4, 5), 5)]
+)
+def test_an_excursion_gains_what_the_slope_adds(share, fall):
+    """What 1/w gains in an excursion with w = 1e-8, in balls: another coefficient of the slope would be off by more."""
+    speed = Fraction(1, 10**4)
+    friction = Friction((), Weakening(last_slope=-fall * (1 - share)))
+    scene = Scene(Pair(share, 1 - share, 1, 1 - share), State(1, speed, 0, speed), "0.01", friction=friction)
+    run = solve(scene, digits=45, arithmetic="ball")
+    with run.arithmetic.context():
+        end = run.sol(scene.until)
+        gained = float(1 / (end[0] ** 2 + end[1] ** 2 - 1) - 10**8) * float(4 * share / (9 * (1 - share)))
+    terms = finite_slope.gain().subs({finite_slope.slope: fall, q: Rational(share), epsilon: Rational(speed)})
+    assert gained == pytest.approx(float(terms), abs=1e-5)
 
 
 def test_a_slope_of_five_goes_on_where_a_jump_of_a_hundredth_ends_it():

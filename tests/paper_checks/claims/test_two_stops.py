@@ -5,7 +5,6 @@ from fractions import Fraction
 import pytest
 
 from numerics import Force, Pair, Scene, State, response, thresholds
-from paper_checks.claims.beyond import two_stops
 
 TWO_STOPS, NO_STOP = [-1, 0, 0, 1], [-1, 1]
 NEAR = Fraction(1, 10**5)
@@ -38,8 +37,3 @@ def test_below_the_second_threshold_two_stops_need_the_condition_there():
     last = ends(pair, omega)[1]
     assert modes(pair, last * (1 - NEAR), omega) != TWO_STOPS
     assert modes(pair, last * (1 + NEAR), omega) != NO_STOP
-
-
-def test_a_threshold_that_is_off_by_a_thousandth_is_refused(monkeypatch):
-    monkeypatch.setattr(two_stops, "BESIDE", -two_stops.BESIDE)
-    assert two_stops.beside_thresholds.__wrapped__(1).passed is False

@@ -12,7 +12,7 @@ from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, argument, closure, reading, weakest
 from paper_checks.evidence.finding import Finding, InvalidFindingError, Verdict, carried, conclude
 from paper_checks.proofs.library import Proved
-from paper_checks.running.graph import Proof, established_by, proofs
+from paper_checks.running.graph import Proof, proofs
 from paper_checks.running.runner import exit_code, row
 
 SMT = Evidence(EvidenceKind.SMT, "z3", "a < b", True)
@@ -254,16 +254,6 @@ def test_what_derives_an_equality_passes_no_other_relation(relation):
     assert Formula("E", relation, m1, equals(lambda: m1)).evidence().passed is not True
 
 
-def test_a_clause_whose_formula_does_not_pass_is_not_established():
-    proof = Proof(clause("c", "All."), Subject.CLAIM, (SMT,), (), ())
-    for quoted in (False, True):  # what is quoted counts where steps carry it
-        assert established_by([replace(proof, quoted=quoted)]) is EvidenceKind.SMT
-    assert established_by([replace(proof, bindings=(BALL,))]) is EvidenceKind.ENCLOSURE
-    assert established_by([replace(proof, steps=(), bindings=(BALL,))]) is None
-    for binding in (FAILED, SILENT):
-        assert established_by([replace(proof, bindings=(binding,)), proof]) is None
-
-
 def test_what_is_quoted_beside_its_counterexample_needs_no_step_and_its_correction_does():
     parts = (BALL.as_counterexample(), carried("right", SMT.as_correction()))
     finding = conclude(AMENDED, "r", *parts, corrected="B.", counterexample="x = 1")
@@ -309,11 +299,6 @@ def test_the_kernel_carries_a_clause_or_leaves_it_to_the_other_steps(theorems, s
     theorems(kernel.PROVED, ties=("tie-ray",), others=status)  # one about something else than the theory
     assert kernel.step("sharp-law").passed is PASSED[status]
     assert ("tie-ray" in kernel.step("sharp-law").value) == (status != kernel.PROVED)
-
-
-def test_a_theorem_of_the_kernel_rests_on_those_that_it_uses(theorems):
-    theorems(kernel.PROVED, uses=("rate", "limit"))
-    assert [kernel.name_of(one) for one in closure([kernel.step("sharp-law")])] == ["rate", "limit", "sharp-law"]
 
 
 def test_one_theorem_of_two_does_not_carry_a_clause():

@@ -32,6 +32,7 @@ def test_what_is_compiled_is_compiled_once(tmp_path):
     assert (set(first.folders), first.broken, count) == ({"Low", "High"}, {}, 2)
     assert compiled(tmp_path)[1] == 0
     assert compiled(tmp_path, high=HIGH + "(* changed *)")[1] == 1
+    assert compiled(tmp_path, low=LOW + "(* changed *)")[1] == 2
 
 
 @needs_kernel

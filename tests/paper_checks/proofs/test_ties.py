@@ -2,10 +2,9 @@
 
 import re
 
-import pytest
 import theory_terms
 
-from paper_checks.proofs.audit import recorded, register
+from paper_checks.proofs.audit import recorded
 from paper_checks.proofs.sources import FOLDER
 from theory import filippov
 
@@ -40,20 +39,6 @@ def test_another_expression_of_the_theory_is_found_missing(monkeypatch):
     width = filippov.half_width()
     monkeypatch.setattr(filippov, "half_width", lambda: 2 * width)
     assert missing().keys() == {"tie_half_width"}
-
-
-@pytest.mark.parametrize(
-    ("theorem", "ties"),
-    [
-        ("sharp-law", {"tie-solution", "tie-energy", "tie-critical-energy", "tie-rate"}),
-        ("forced-contraction", {"tie-forced", "tie-energy"}),
-        ("switching-iff", {"tie-switching"}),
-    ],
-)
-def test_a_theorem_stands_on_the_ties_of_its_definitions(theorem, ties):
-    about = set(recorded().ties_of(theorem))
-    assert about >= ties
-    assert about <= register().keys()
 
 
 def test_every_definition_of_the_sharp_law_is_tied():

@@ -53,7 +53,3 @@ def test_what_a_claim_raises_is_told_with_the_place_where_it_was_raised():
     (found,) = lowest(running.rows(broken, Context()))
     assert found.statement == "theory.energy.<module> raised ZeroDivisionError: no width"
     assert found.claims == ("a", "b")
-
-
-def test_nothing_fails_where_every_verdict_is_the_recorded_one():
-    assert lowest(rows(fine=(GOOD,))) == []

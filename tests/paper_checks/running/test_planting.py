@@ -7,7 +7,7 @@ import sympy as sp
 from flint import arb
 
 from paper_checks.claims import CLAIMS, claim_named
-from paper_checks.decide.deciders import condition, decimal, equals, fails_at, implied
+from paper_checks.decide.deciders import decimal, equals, fails_at, implied, sharp
 from paper_checks.errors import LedgerError
 from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.clause import Formula, clause
@@ -57,7 +57,7 @@ def raises(formula):
 
 
 EQUATION = {"sign", "factor", "exponent"}
-SHARP = Formula(b, "<=", m1, condition(lambda: sp.Le(b, m1, evaluate=False)), sharp=True)
+SHARP = sharp(b, "<=", m1, lambda: (b, "<=", m1))
 
 
 @pytest.mark.parametrize(
