@@ -112,9 +112,10 @@ class Batch(Tabled):
     event_t_error = _Answer[Floats]()
     event_y_error = _Answer[Floats]()
 
-    def __init__(self, shape: tuple[int, ...], runs: Any) -> None:
+    def __init__(self, shape: tuple[int, ...], runs: object) -> None:
         """Keep what forms `inputs`, `answers` and, on a line, `taken`, and has the NAMES that can be drawn."""
-        self.shape, self.ANSWERS, self._runs = shape, runs.NAMES, runs
+        kept: Any = runs
+        self.shape, self.ANSWERS, self._runs = shape, kept.NAMES, kept
 
     @cached_property
     def _answers(self) -> dict[str, Any]:
