@@ -14,19 +14,25 @@ from strategies import driven_scenes, extreme_scenes, free_scenes, ties, viscous
 
 from numerics import EventUndecided, Force, Pair, Piece, Scene, State, load_scene, solve
 
-DRAWN = {"ties": ties, "free": free_scenes, "viscous": viscous_scenes, "driven": driven_scenes}
+KINDS = {
+    "ties": ties(),
+    "free": free_scenes(),
+    "viscous": viscous_scenes(),
+    "driven": driven_scenes(),
+    "friction of the state": weakened_scenes(),
+}
+EXTREME = [pytest.param(name, marks=pytest.mark.long) for name in sorted(extreme_scenes.keys() - {"ellipsoid", "box"})]
 WAYS = ["float64", "ball"]
 TESTS = Path(__file__).parent.parent
 SIGNALS = "signals"
 """Scenes of all signals have references of their own (tests/test_signals.py, test_signals_answers.py)."""
 FOLDERS = [f"scenes/{one.name}" for one in sorted((TESTS / "scenes").iterdir()) if one.is_dir() and one.name != SIGNALS]
-
-
-FOUND = scenes_in("bounded")
 RESTARTED = """contact-to-third-order friction-drops-at-contact jump-at-contact-reverses jump-at-contact-slips-on
 jump-at-contact-sticks jump-just-after-contact tie-at-a-jump-at-contact-slips-on tie-at-a-jump-at-contact-sticks
 tie-on-the-lower-edge touch-in-slip"""
 """Of these `dissipated` was once what was lost after an exact tie alone, and was said to be certain."""
+FOUND = scenes_in("bounded") | {name: forced_scene(name) for name in RESTARTED.split()}
+FOUND["relative-motion-b05"] = load_scene("relative-motion-b05")
 
 
 def wrong(scene, arithmetic):
@@ -39,46 +45,20 @@ def test_no_number_goes_without_its_comparison():
 
 
 @pytest.mark.parametrize("arithmetic", WAYS)
-@pytest.mark.parametrize("kind", DRAWN)
+@pytest.mark.parametrize("kind", [*KINDS, *EXTREME])
 def test_every_number_is_within_its_bound(kind, arithmetic):
     @reaching
-    @given(DRAWN[kind]())
+    @given((KINDS | extreme_scenes)[kind])
     def hold(scene):
         assert wrong(scene, arithmetic) == []
 
     hold()
 
 
-ON_A_LINE = sorted(extreme_scenes.keys() - {"ellipsoid", "box"})
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("arithmetic", ["float64", "ball"])
-@pytest.mark.parametrize("kind", ON_A_LINE)
-def test_every_number_of_a_scene_at_the_extremes_is_within_its_bound(kind, arithmetic):
-    @reaching
-    @given(extreme_scenes[kind])
-    def hold(scene):
-        assert wrong(scene, arithmetic) == []
-
-    hold()
-
-
-@pytest.mark.parametrize("arithmetic", ["float64", "ball"])
-def test_every_number_is_within_its_bound_where_friction_depends_on_the_state(arithmetic):
-    @reaching
-    @given(weakened_scenes())
-    def hold(scene):
-        assert wrong(scene, arithmetic) == []
-
-    hold()
-
-
-@pytest.mark.parametrize("name", [*FOUND, *RESTARTED.split(), "relative-motion-b05"])
+@pytest.mark.parametrize("name", FOUND)
 def test_every_number_of_what_was_once_wrong_is_within_its_bound(name):
-    scene = FOUND[name] if name in FOUND else forced_scene(name) if name in RESTARTED.split() else load_scene(name)
     with suppress(LeftOut):
-        assert wrong(scene, "float64") == []
+        assert wrong(FOUND[name], "float64") == []
 
 
 @pytest.mark.long
