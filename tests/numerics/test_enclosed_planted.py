@@ -1,12 +1,11 @@
 """The engine in balls, disturbed: what a step, an event or a polynomial is off by is in what is said of the answer."""
 
 import math
-from copy import copy
 from fractions import Fraction
 
 import pytest
 from enclosed_runs import EVEN, ONE_ANSWER, events, itinerary, numbers, run, same, under
-from flint import arb, arb_poly
+from flint import arb
 from sixty_digits import forced_scene
 
 from numerics import EventUndecided, Force, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
@@ -14,12 +13,10 @@ from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
 from numerics.linear.enclosed import EnclosedRun
-from numerics.linear.flow import FEW, Expansion, Flow, exponential
-from numerics.linear.model import V1, V2, Layout
+from numerics.linear.flow import Expansion, Flow, exponential
 from numerics.linear.next_enclosed import curves_of
 from numerics.linear.path_enclosed import At
 from numerics.linear.record import How
-from numerics.linear.search import CLEAR, UNKNOWN, Curve, look
 from numerics.linear.swings import Swings
 from numerics.linear.system import LinearMode, dot
 
@@ -80,54 +77,7 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
     assert max(one.rad() for one in numbers(scene, found.end)) > 1e-60
 
 
-PAIRS = Pair("0.3", 2, 50, 1), Pair("0.3", 2, 50, 1, "0.5"), Pair(2, "0.3", 50, 1, 60)
 BALLS = Ball(40)
-CELLS = ((Fraction(1, 2), 0, 1), (Fraction(-1, 2), 3, 2), (0, -30, 1), (5, -3, 1))
-
-
-LAYOUT = Layout((3, 2, 0, 2, 1), ((Fraction(3), Fraction(11)), (), (), (Fraction(2),), (Fraction(5),)))
-BELT = Layout((3, 0, 2, 2, 1), ((Fraction(3),), (), (Fraction(7),), (), (Fraction(5),)))
-ON_BELT = Pair("0.3", "inf", 50, 1, "0.5"), Pair("0.3", "inf", 0, 1)
-
-
-def flows():
-    for pair, layout in (*((one, LAYOUT) for one in PAIRS), *((one, BELT) for one in ON_BELT)):
-        yield from (Flow(BALLS.bits, pair, slips, layout) for slips in (False, True))
-        yield from (
-            Flow(BALLS.bits, pair, True, layout, tuple(map(Fraction, one))) for one in CELLS[: 4 if pair.a2 else 0]
-        )
-
-
-def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound():
-    """For every number of z alone, so that no other hides it: of the state, its rates, and the rows of the guards."""
-    for flow in flows():
-        few = copy(flow)
-        few.expand(5)
-        for k in range(flow.size):
-            z = [arb(int(k == n or (not flow.slips and {k, n} == {V1, V2}))) for n in range(flow.size)]
-            if k == V2 and not flow.slips:
-                continue
-            _holds(flow, z, (flow.reach / 2).mid(), Expansion(few, z, flow.reach / 2))
-
-
-def _holds(flow, z, t, motion):
-    """Whether a motion at t from z, and the guards of `flow`, are what exp(A t) makes of them."""
-    A = [[(k, Ball.number(c)) for k, c in enumerate(row)] for row in flow.mode.generator()]
-    there = exponential(flow.mode.generator(), t, z)
-    rate = [dot(row, there) for row in A]
-    assert all(one.overlaps(two) for one, two in zip(motion.state(t), there, strict=False))
-    assert all(not one < abs(two) for one, two in zip(motion.bends(t), (rate[V1], rate[V2]), strict=True))
-    full = Expansion(flow, z, t)
-    short = full.short(t)
-    for which, row in enumerate(flow.guarded):
-        (curve, *_), true, guard = motion.guard(which), dot(row, there), Curve(*motion.guard(which), arb(0))
-        assert abs(curve(t) - true) < guard.left_out(t, 0) + OFF
-        assert abs(curve.derivative()(t) - dot(row, rate)) < guard.left_out(t, 1) + OFF
-        for order in (3, 5, 8):
-            off = abs(arb_poly(short[which].polynomial.coeffs()[:order])(t) - true)
-            sizes = full.sizes(order, t)
-            assert not off > sum((abs(c) * sizes[k] for k, c in row), arb(0)) * t**order
-        assert not abs(short[which].polynomial(t) - true) > short[which].rest * t**FEW + OFF
 
 
 @pytest.mark.parametrize("slips", [False, True])
@@ -179,41 +129,8 @@ def test_friction_that_comes_to_nothing_at_the_end_of_a_cell_is_refused():
         run(under(EVEN, 1, (0, 2), Weakening((), 0, [(0, 0), (1, "-0.5")])))
 
 
-def curve(row, margin=0, rest=0, order=0):
-    return Curve(arb_poly([*map(arb, row)]), arb(rest), FEW, arb(margin), order)
-
-
-def test_what_a_polynomial_leaves_out_counts_from_where_it_was_expanded():
-    guards = [curve(["0.001"], rest="0.002")]
-    assert [look(guards, arb(since), arb("0.5")) for since in (0, "0.5")] == [CLEAR, UNKNOWN]
-
-
-@pytest.mark.parametrize("at_end", ["0.3", "-0.3"])
-def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_it_leaves_out(at_end):
-    """It falls from 1 along a line; what is left at the end of a step exceeds both together where it is known."""
-    known = ("0.2", "0.09", True), ("0.2", "0.11", False), ("0.1", "0.21", False)
-    for margin, rest, is_known in (*known, ("0.05", "0.17", at_end > "0")):  # the last one's slope may be off by 4.8
-        guards = [curve([1, 2 * (arb(at_end) - 1)], margin, arb(rest) * 2**FEW)]
-        assert look(guards, arb(0), arb("0.5")) == ((CLEAR if at_end > "0" else 0) if is_known else UNKNOWN)
-
-
-@pytest.mark.parametrize(
-    ("guard", "found"),
-    [
-        (curve(["0.5", -1]), 0),
-        (curve(["0.5", -1], "0.6"), UNKNOWN),  # the true guard may be positive at the end
-        (curve(["0.5", -1], 0, "0.1"), UNKNOWN),  # what is left out may turn it: by 14 times as much
-        (curve(["0.1", -1, "0.525"]), UNKNOWN),  # it rises at the very end
-        (curve([0, 0, 1, "-0.4"], order=2), UNKNOWN),
-    ],
-)
-def test_a_guard_that_falls_once_is_told_from_one_that_may_not(guard, found):
-    assert look([guard], arb(0), arb(1)) == found
-    assert look([guard, guard], arb(0), arb(1)) == UNKNOWN
-
-
 def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
-    path = EnclosedRun(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), BALLS)
+    path = EnclosedRun(under(Pair("0.3", 2, 50, 1), 1, (), Weakening((), 0, [(0, 0), (1, 9)])), BALLS)
     zero, off = arb(0), arb("0.1")
     at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero, (0, 1))
     flow = path.flow(at)
