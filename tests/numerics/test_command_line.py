@@ -137,6 +137,12 @@ ring velocities --radius -1e-3 | radius = -0.001
 move at-rest --distance 1 --amplitude -1e-3 | amplitude = -0.001
 solve velocities --npz= | the name is empty
 solve velocities --check --csv | leave --csv out
+energy plane-box --at 1 | surface
+ring plane-box --radius 1 | surface
+solve plane-circle-merges --proof F.v | is available on a line only
+solve plane-circle-merges --sensitivity --json | is available on a line only
+solve plane-circle-merges --arithmetic mpmath | is available on a line only
+solve plane-circle-merges --arithmetic float64 | is available on a line only
 solve no-such-scene | one of those that `inertial-pair scenes` lists
 solve velocities --plot /proc/x.svg | cannot be written to
 solve velocities --npz folder.npz | is a folder

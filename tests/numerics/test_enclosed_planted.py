@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import pytest
 from enclosed_runs import EVEN, ONE_ANSWER, events, itinerary, numbers, run, same, under
-from flint import arb
+from flint import arb, arb_poly
 from sixty_digits import forced_scene
 
 from numerics import EventUndecided, Force, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
@@ -13,10 +13,11 @@ from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
 from numerics.linear.enclosed import EnclosedRun
-from numerics.linear.flow import Expansion, Flow, exponential
+from numerics.linear.flow import FEW, Expansion, Flow, exponential
 from numerics.linear.next_enclosed import curves_of
 from numerics.linear.path_enclosed import At
 from numerics.linear.record import How
+from numerics.linear.search import CLEAR, UNKNOWN, Curve, look
 from numerics.linear.swings import Swings
 from numerics.linear.system import LinearMode, dot
 
@@ -127,6 +128,26 @@ def test_what_starts_within_a_box_of_a_jump_or_of_an_edge_is_in_doubt():
 def test_friction_that_comes_to_nothing_at_the_end_of_a_cell_is_refused():
     with pytest.raises((InvalidScene, EventUndecided)):
         run(under(EVEN, 1, (0, 2), Weakening((), 0, [(0, 0), (1, "-0.5")])))
+
+
+@pytest.mark.parametrize(
+    ("row", "margin", "rest", "found"),
+    [
+        ((1, "-0.7"), "0.2", "0.09", CLEAR),
+        ((1, "-0.7"), "0.2", "0.11", UNKNOWN),
+        ((1, "-1.3"), "0.2", "0.09", 0),
+        ((1, "-1.3"), "0.2", "0.11", UNKNOWN),
+        ((1, "-1.3"), "0.05", "0.17", UNKNOWN),  # its slope may be off by 2.4
+        (("0.1", -1, "0.525"), 0, 0, UNKNOWN),  # it rises at the very end
+    ],
+)
+def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_it_leaves_out(row, margin, rest, found):
+    """That counts from where it was expanded; two guards, or a derivative, that fall through 0 do not tell."""
+    guard = Curve(arb_poly([*map(arb, row)]), arb(rest), FEW, arb(margin))
+    assert look([guard], arb(0), arb(1)) == found
+    assert look([guard, guard], arb(0), arb(1)) == (CLEAR if found == CLEAR else UNKNOWN)
+    assert look([guard._replace(polynomial=guard.polynomial.integral(), order=1)], arb(0), arb(1)) in {CLEAR, UNKNOWN}
+    assert look([guard], arb("0.1"), arb("0.9")) == found
 
 
 def test_the_edge_of_a_stick_is_off_by_where_it_may_be():

@@ -8,14 +8,12 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
 from scene_files import scenes_in
 from strategies import EXTREME, scenes
 
 from numerics import (
-    EventUndecided,
     Force,
     NumericsError,
     Pair,
@@ -29,9 +27,7 @@ from numerics import (
     solve_many,
     solve_scenes,
 )
-from numerics.arithmetic.ball import Ball
 from numerics.control.response import Regime, response
-from numerics.free.root import falling_root
 from numerics.linear.modes import EventKind
 from numerics.trajectory.comparison import require_same_sequence
 from numerics.trajectory.run import free_scene
@@ -85,24 +81,11 @@ def test_friction_work_near_the_critical_orbit_counts_every_slip():
     assert float(other.friction.mid()) == pytest.approx(float(balls.ledger.friction.mid()), rel=1e-10)
 
 
-def test_a_root_whose_newton_step_leaves_its_region_is_not_proved_to_exist():
-    """The step overlaps the region but is not inside it, and a wider region would leave the bracket."""
-
-    def wide(x):
-        return arb(0.5) - x + arb(0, 1e-3), arb(-1) if x.rad() == 0 else arb(-1, 0.95)
-
-    with Ball(20).context(), pytest.raises(EventUndecided, match="existence"):
-        falling_root(arb(0.497), arb(0.503), wide)
-
-
-AT_AN_EVENT = Fraction(2.10700551516822)
-
-
 def test_an_event_in_the_same_place_as_the_horizon():
-    scene = Scene(Pair("1e-4", 10, 1, 5, 2), State(x1=-150, v1=-288, v2=29), until=AT_AN_EVENT)
-    assert solve(scene).arithmetic.name != "float64"
-    assert solve(scene, digits=5).arithmetic.name != "float64"
-    found = solve_many(1e-4, 10, 1, 5, a1=2, x1=-150, v1=-288, v2=29, until=2.10700551516822)
+    until = 2.10700551516822
+    scene = Scene(Pair("1e-4", 10, 1, 5, 2), State(x1=-150, v1=-288, v2=29), Fraction(until))
+    assert {solve(scene, digits=digits).arithmetic.name for digits in (None, 5)} == {"ball"}
+    found = solve_many(1e-4, 10, 1, 5, a1=2, x1=-150, v1=-288, v2=29, until=until)
     assert np.isfinite(found.dissipated_error) or not found.certain
 
 
@@ -133,13 +116,16 @@ def test_a_force_beyond_all_digits_is_refused_at_once():
     scene = Scene(Pair(1, 1, 200, "0.5"), State(), 1)
     with pytest.raises(PrecisionExhausted, match="max_digits"):
         response(scene, amplitude="1e999", omega=5)
-    assert response(scene, amplitude="1e40", omega=5).regime is Regime.NON_STOP
 
 
-def test_a_pair_that_sticks_for_whole_periods_slips_later():
-    """At the resonance of the stuck pair nothing sticks for ever; a period without an event ended the search."""
-    found = response(Scene(Pair(1, 1, 200, "0.5"), State(), 1), amplitude="0.1", omega=10, digits=8)
-    assert (found.regime, found.thresholds.entrainment) == (Regime.STICK_SLIP, 0)
+@pytest.mark.parametrize(
+    ("amplitude", "omega", "regime"), [("1e40", 5, Regime.NON_STOP), ("0.1", 10, Regime.STICK_SLIP)]
+)
+def test_a_force_of_any_size_and_at_the_resonance_of_the_stuck_pair_has_a_regime(amplitude, omega, regime):
+    """At the resonance nothing sticks for ever; a period without an event ended the search."""
+    assert (
+        response(Scene(Pair(1, 1, 200, "0.5"), State(), 1), amplitude=amplitude, omega=omega, digits=8).regime is regime
+    )
 
 
 def test_exponents_that_differ_by_many_magnitudes_are_told_apart():
@@ -154,7 +140,6 @@ def test_a_force_of_nothing_from_some_time_on_is_no_force(a1):
     start = State("-0.00846", "-0.318", 0, "-0.172")
     plain = Scene(Pair("6.5", "2.4", 338, "3.24", a1), start, "2.43")
     cut = replace(plain, force=Force([Piece("1.31", [])]))
-    assert solve(cut).t[-2] > 1.31
-    assert np.allclose(solve(cut).t, solve(plain).t, rtol=1e-13, atol=0)
     found = solve_scenes([plain, cut], keep_events=20).event_t
+    assert np.nanmax(found) > 1.31
     assert np.allclose(*found, rtol=1e-13, atol=0, equal_nan=True)

@@ -10,14 +10,8 @@ import pytest
 from numerics import load_scene, solve
 from numerics.__main__ import main
 from numerics.plane.trajectory import PlaneTrajectory
-from numerics.scene.file import parse_scene, scene_text
+from numerics.scene.file import parse_scene, scene_text, shipped_scenes
 from numerics.scene.plane import PlanePair, PlaneScene
-
-PAIR = PlanePair(1, 1, [200, 120], ["0.5", "0.3"], shape="box")
-APART = PlaneScene(PAIR, 2, x1=["0.012", 0], v1=["0.1", "-0.2"], x2=[0, "1/3"])
-"""A box without couplings: two motions of the line, which their own archives keep."""
-ROUND = PlaneScene(PlanePair(1, 1, 200, "0.5"), 2, v1=["0.06", "0.01"])
-SCENES = [load_scene("plane-box"), APART, ROUND]
 
 
 @pytest.fixture(scope="module")
@@ -26,9 +20,11 @@ def turning() -> PlaneTrajectory:
     return solve(load_scene("plane-slip-turns"))
 
 
-@pytest.mark.parametrize("scene", [*SCENES, load_scene("plane-slip-turns"), load_scene("plane-rotating-force")])
-def test_a_scene_is_written_as_the_text_of_the_same_scene(scene):
+@pytest.mark.parametrize("name", [name for name in shipped_scenes() if name.startswith("plane-")])
+def test_a_scene_is_written_as_the_text_of_the_same_scene_and_solved(name):
+    scene = load_scene(name)
     assert parse_scene(scene_text(scene)) == scene
+    assert (solve(scene).success, solve(scene).digits) == (True, 15)
 
 
 def test_arrays_and_tuples_are_read_as_lists():
@@ -61,14 +57,6 @@ def test_arrays_and_data_frame_have_the_numbers_of_the_run(turning, tmp_path, ca
     told = capsys.readouterr()
     assert told.out == turning.to_csv()
     assert "working digits" in told.err
-
-
-@pytest.mark.parametrize(
-    "flags", ["--proof F.v", "--sensitivity --json", "--arithmetic mpmath", "--arithmetic float64"]
-)
-def test_what_only_a_line_has_is_refused_in_a_sentence(flags, capsys):
-    assert main(["solve", "plane-circle-merges", *flags.split()]) == 2
-    assert "is available on a line only" in capsys.readouterr().err
 
 
 def test_a_run_that_was_cut_off_is_drawn_to_its_end():

@@ -10,11 +10,9 @@ from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.control.rotating import rotating_response
 from numerics.errors import InvalidScene
-from numerics.scene.file import load_scene, shipped_scenes
 from numerics.scene.plane import PlanePair, PlaneScene
 
 PAIR = PlanePair(1, 1, 200, "0.2", 20)
-SURFACES = [name for name in shipped_scenes() if name.startswith("plane-")]
 
 
 def turning(amplitude):
@@ -76,13 +74,5 @@ def test_the_commands_know_a_surface(capsys, tmp_path):
     assert main(["response", "plane-rotating-force", "--plot", str(tmp_path / "a.svg")]) == 0
     assert (tmp_path / "a.svg").exists()
     assert "0.0800000000000000" in capsys.readouterr().out
-    for wrong in ("energy plane-box --at 1", "ring plane-box --radius 1"):
-        assert main(wrong.split()) == 2
-        assert "surface" in capsys.readouterr().err
-
-
-def test_every_shipped_surface_is_solved_and_one_drawn(tmp_path):
-    assert len(SURFACES) == 5
-    assert all(one.success and one.digits == 15 for one in map(solve, map(load_scene, SURFACES)))
     assert main(["solve", "plane-circle-merges", "--digits", "8", "--plot", str(tmp_path / "a.svg")]) == 0
     assert (tmp_path / "a.svg").stat().st_size > 10_000

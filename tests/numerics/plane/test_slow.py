@@ -16,34 +16,6 @@ from numerics.plane.window import around
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
 
-PAIR = PlanePair("0.5", 1, 200, "0.5")
-HALF_WIDTH, RATE = Fraction(15, 4000), Fraction(400, 3)
-"""L = b M/(a2 m2) of the pair, and its Omega^2."""
-
-
-def stuck_on_an_ellipse(excess, minor, until):
-    """Return a scene that starts stuck at the tip of an ellipse with the semi-axes L (1 + excess) and minor L."""
-    with Ball(60).context():
-        speed = (Ball.number(HALF_WIDTH * Fraction(minor)) * Ball.number(RATE).sqrt()).str(40, radius=False)
-    return PlaneScene(PAIR, until, x1=[HALF_WIDTH * (1 + Fraction(excess)), 0], v1=[0, speed], v2=[0, speed])
-
-
-@pytest.mark.parametrize("minor", ["0.3", "0.7"])
-def test_the_creep_of_an_ellipse_sees_its_squared_eccentricity(minor):
-    """From tip to tip 1/(A^2/L^2 - 1) grows by (9/4) (m2/m1)/e^2, A semi-major: so t (E - E_inf) has a limit."""
-    found, rests = solve(stuck_on_an_ellipse("1e-5", minor, "0.6"), digits=20), []
-    with found.context():
-        for one in found.events:
-            if one.after == "stick":
-                (x, y), (v, w) = one.y.x1, one.y.v1
-                total = x * x + y * y + (v * v + w * w) / Ball.number(RATE)
-                area = x * w - y * v
-                larger = (total + (total * total - 4 * area * area / Ball.number(RATE)).sqrt()) / 2
-                rests.append(1 / (larger / Ball.number(HALF_WIDTH**2) - 1))
-        squared = 1 - float(minor) ** 2
-    assert len(rests) > 1
-    assert float(rests[1] - rests[0]) * squared * 4 / 9 / 2 == pytest.approx(1, rel=1e-4)
-
 
 @pytest.mark.parametrize(
     ("m1", "m2", "times"),
