@@ -55,29 +55,33 @@ def test_heavy_dampers_tend_to_their_limits():
     assert float(found.own.rest) / (1e6 / 200) == pytest.approx(math.log(10), rel=1e-4)
 
 
-@pytest.mark.parametrize(
-    ("scene", "tolerance", "stuck", "rest"),
-    [
-        (FIGURE, "0.001", math.inf, 4.3691554),
-        (FIGURE, "0.0005", math.inf, math.inf),  # the half width of the sliding region: E tends to that of it
-        (FIGURE.replace(v1=0, x1="0.0004"), "0.0001", 0, math.inf),
-        (FIGURE.replace(v1=0, x1="0.0004"), "0.0004", 0, 0),
-        (FIGURE.replace(v1=0, x1="0.0005"), "0.0005", 0, 0),
-        (load_scene("at-rest"), "1e-30", 0, 0),
-        (
-            load_scene("itinerary-that-merges"),
-            "0.0001",
-            float(solve(load_scene("itinerary-that-merges")).events[-1].t),
-            math.inf,
-        ),
-        (FIGURE.replace(a1="1e30"), "0.001", 0, 0),
-        (FIGURE.replace(a1=5), "1e-40", 0.9569008, 68.447688),
-        (FIGURE.replace(a1=5, until="1e-9"), "0.001", 0.9569008, 0.71862),
-        (FIGURE.replace(m2="1e6", a1=1), "0.001", 2.3298057, 2.0204716),
-    ],
-)
-def test_extremes(scene, tolerance, stuck, rest):
-    assert [float(one) for one in own(scene, tolerance)] == pytest.approx([stuck, rest], rel=1e-6, abs=1e-20)
+EXTREMES = """
+                     | 0.001  | inf       | 4.3691554
+                     | 0.0005 | inf       | inf         the half width of the sliding region: E tends to that of it
+v1=0 x1=0.0004       | 0.0001 | 0         | inf
+v1=0 x1=0.0004       | 0.0004 | 0         | 0
+v1=0 x1=0.0005       | 0.0005 | 0         | 0
+v1=0                 | 1e-30  | 0         | 0
+a1=1e30              | 0.001  | 0         | 0
+a1=5                 | 1e-40  | 0.9569008 | 68.447688
+a1=5 until=1e-9      | 0.001  | 0.9569008 | 0.71862
+a1=1 m2=1e6          | 0.001  | 2.3298057 | 2.0204716
+"""
+
+
+@pytest.mark.parametrize("row", EXTREMES.strip("\n").splitlines())
+def test_extremes(row):
+    """Numbers of the scene, the tolerance, and both times."""
+    changes, tolerance, *times = row.split("|")
+    found = own(FIGURE.replace(**dict(one.split("=") for one in changes.split())), tolerance.strip())
+    expected = [float(one.split()[0]) for one in times]
+    assert [float(one) for one in found] == pytest.approx(expected, rel=1e-6, abs=1e-20)
+
+
+def test_a_pair_that_merges_with_its_critical_orbit_never_rests():
+    scene = load_scene("itinerary-that-merges")
+    stuck, rest = own(scene, "0.0001")
+    assert (float(stuck), float(rest)) == (pytest.approx(float(solve(scene).events[-1].t), rel=1e-6), math.inf)
 
 
 def test_next_to_the_best_damper_rest_takes_longer(monkeypatch):

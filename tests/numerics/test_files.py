@@ -111,6 +111,17 @@ def test_a_cache_that_others_can_change_is_refused(cache, place, mode, said):
 
 
 @owners
+def test_so_is_one_by_a_link_in_a_folder_that_others_can_write(cache, tmp_path, nobody):
+    make_private(cache)
+    (tmp_path / "open").mkdir()
+    (tmp_path / "open" / "link").symlink_to(cache.parent)
+    nobody.setenv("XDG_CACHE_HOME", str(tmp_path / "open" / "link"))
+    assert cache_refused() == ""
+    (tmp_path / "open").chmod(0o777)
+    assert f"others can write {tmp_path / 'open'};" in cache_refused()
+
+
+@owners
 @pytest.mark.parametrize(
     ("place", "owner", "refused"), [(0, 0, True), (0, 12345, True), (1, 12345, True), (2, 12345, True), (1, 0, False)]
 )

@@ -38,13 +38,12 @@ def test_the_orbit_of_a_damped_pair_needs_no_phase():
     assert abs(run.y[0, -1]) < 1e-300
 
 
-@pytest.mark.parametrize(("a1", "in_floats"), [("1e-24", False), ("1e-18", True)])
-def test_a_damped_slip_of_1e22_radians_is_solved_in_balls_and_in_floats_where_it_has_died_away(a1, in_floats):
+@pytest.mark.parametrize("a1", ["1e-24", "1e-18"])
+def test_a_damped_slip_of_1e22_radians_is_solved_in_balls_and_refused_by_floats(a1):
+    """Also where it has died away. In one a float of the wait and its bound agree long before the wait is over."""
     scene = Scene(Pair(1, 1, 200, "0.05", a1=a1), State(x1="0.01", v2="1e20"), until="1e25")
-    if not in_floats:
-        with pytest.raises(OutOfRange, match="steps"):
-            solve(scene, max_events=3, arithmetic="float64")
-    # a float of the wait and of its bound agree long before the wait is over: balls used to give up here
+    with pytest.raises(OutOfRange, match="steps"):
+        solve(scene, max_events=3, arithmetic="float64")
     balls, found = solve(scene, digits=30, arithmetic="ball", max_events=3), solve(scene, max_events=3)
     assert (found.modes, found.arithmetic.name) == (balls.modes, "ball")
     assert found.y[0, 0].overlaps(balls.y[0, 0])
