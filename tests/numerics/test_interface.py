@@ -17,16 +17,13 @@ from three_scenes import HOW, PAPER
 
 import numerics
 from numerics import (
-    Force,
     OutOfRange,
     Pair,
     Scene,
     State,
     damping,
-    fastest_transfer,
     load_scene,
     response,
-    ring_entry,
     sensitivities,
     solve,
     solve_many,
@@ -100,9 +97,7 @@ def test_no_public_signature_is_without_a_type(name):
 
 @pytest.mark.parametrize("name", [one for one in dir(numerics) if inspect.isfunction(getattr(numerics, one))])
 def test_every_function_says_what_it_raises_and_has_an_example(name):
-    told = getattr(numerics, name).__doc__
-    assert ">>>" in told
-    assert "Raise" in told or name == "scene_text"
+    assert re.search("(?s)Raise.*>>>", getattr(numerics, name).__doc__) or name == "scene_text"
 
 
 # texts
@@ -128,15 +123,12 @@ def test_a_number_out_of_range_is_named_also_without_a_critical_energy(pair):
 
 
 def test_every_record_is_shown_in_one_short_line():
-    forced, run, rest = load_scene("forced-sine-stick-slip"), solve(PAPER), load_scene("at-rest")
+    forced, run = load_scene("forced-sine-stick-slip"), solve(PAPER)
     found = response(forced, digits=8)
-    records = [PAPER.pair, PAPER.initial, PAPER, forced, load_scene("forced-sweep"), Force.sine(1, 2), run.events[0]]
-    records += [run.segments[0], run.ledger, run.accuracy, found, found.thresholds, found.orbit]
-    records += [fastest_transfer(rest, "0.01"), ring_entry(load_scene("velocities"), "0.001"), damping(rest, "0.001")]
+    records = [PAPER, forced, load_scene("forced-sweep"), run.events[0], run.segments[0], run.ledger, run.accuracy]
+    records += [found, found.thresholds, found.orbit, damping(load_scene("at-rest"), "0.001")]
     for one in records:
-        assert repr(one).startswith(type(one).__name__)
-        assert len(repr(one)) < 260
-        assert "\n" not in repr(one)
+        assert re.fullmatch(rf"{type(one).__name__}.{{,240}}", repr(one))
     shown = Pair(m1="1/3", m2=0.1, a2=200, b=5)
     assert eval(repr(shown)) == shown
     assert repr(Pair("1." + "3" * 400, 1, 2, 3)) == "Pair(m1=1.33333, m2=1, a2=2, b=3)"
@@ -154,7 +146,6 @@ def test_batches_and_responses_are_drawn_and_a_run_becomes_a_film(tmp_path):
     assert line.get_legend() is not None  # some were cut off
     chart = solve_many(1, 1, 200, [[0.05], [0.1]], v1=speeds, until=1, jobs=1).plot("events")
     assert (chart.get_xlabel(), chart.get_ylabel()) == ("b (N)", "v1 (m/s)")
-    assert len(response(load_scene("forced-sine-stick-slip"), digits=8).plot().axes) == 3
     solve(PAPER).animate(tmp_path / "run.gif", duration=0.3, frames_per_second=10)
     with Image.open(tmp_path / "run.gif") as film:
         assert film.n_frames == 3
@@ -164,20 +155,17 @@ def test_batches_and_responses_are_drawn_and_a_run_becomes_a_film(tmp_path):
 
 @pytest.mark.parametrize("how", HOW[:4])
 def test_times_asked_for_may_be_any_numbers_in_arrays_of_any_shape(how):
-    asked, times = [0, "1/3", 0.5, 2], np.linspace(0, 3, 40)
+    asked, times = [0, "1/3", 0.5, 2], np.linspace(0, 3, 6).reshape(2, 3)
     run = solve(PAPER, **how, t_eval=asked)
     assert run.t.shape == run.energy.shape == (4,)
-    with run.arithmetic.context():
-        assert [run.arithmetic.to_float(one) for one in run.t] == pytest.approx([0, 1 / 3, 0.5, 2])
-        assert [str(one) for one in run.y.flat] == [str(one) for one in run.sol(asked).flat]
-    square = run.sol(times[:6].reshape(2, 3))
-    assert square.shape == (4, 2, 3)
-    assert [str(one) for one in square[:, 1, 2]] == [str(one) for one in run.sol(times[5])]
-    assert sensitivities(run.but(t_eval=None), times[:4].reshape(2, 2)).shape == (4, 9, 2, 2)
-    assert list(run.mode_at(times)) == [run.mode_at(one) for one in times]
+    assert run.floats(run.t) == pytest.approx([0, 1 / 3, 0.5, 2])
+    assert [*map(str, run.y.flat)] == [*map(str, run.sol(asked).flat)]
+    assert run.sol(times).shape == (4, 2, 3)
+    assert [*map(str, run.sol(times)[:, 1, 2])] == [*map(str, run.sol(times[1, 2]))]
+    assert sensitivities(run.but(t_eval=None), times).shape == (4, 9, 2, 3)
     assert run.mode_at([]).shape == (0,)
-    assert list(run.mode_at(run.event_times, "left")) == [event.before for event in run.events]
-    assert list(run.mode_at(run.event_times)) == [event.after for event in run.events]
+    assert [*run.mode_at(run.event_times, "left")] == [event.before for event in run.events]
+    assert [*run.mode_at(run.event_times)] == [*map(run.mode_at, run.event_times)] == [*run.modes[1:]]
 
 
 @pytest.mark.parametrize("how", HOW)

@@ -6,31 +6,15 @@ import flint
 import pytest
 from flint import arb
 from hypothesis import example, given
-from plane_paths import agree, overlap
+from plane_paths import agree
 from strategies import fewer, plane_scenes
 
-from numerics import Force, Pair, Piece, Scene, State, solve
+from numerics import Force, Piece, solve
 from numerics.errors import EventUndecided, NumericsError
 from numerics.plane.solve import followed
 from numerics.scene.plane import PlanePair, PlaneScene
 
 LIMITS = {"max_events": 1000, "progress": None}
-
-
-def test_without_couplings_every_axis_is_the_pair_of_the_paper_digit_for_digit():
-    pair = PlanePair(1, ["0.5", 1], [200, 120], ["0.5", "0.2"], shape="box")
-    scene = PlaneScene(pair, 2, x1=["0.02", "0.01"], v1=["0.1", "-0.2"], x2=[0, 1])
-    found = solve(scene, digits=20)
-    axes = [
-        Scene(Pair(1, "0.5", 200, "0.5"), State("0.02", "0.1"), 2),
-        Scene(Pair(1, 1, 120, "0.2"), State("0.01", "-0.2", 1), 2),
-    ]
-    lines = [solve(one, digits=20, arithmetic="ball") for one in axes]
-    with found.context():
-        times = sorted((event.t for line in lines for event in line.events), key=float)
-        assert len(times) > 5
-        assert overlap(found.event_times, times)
-        assert overlap(found.final_state, [*zip(*(line.final_state for line in lines), strict=True)])
 
 
 @given(plane_scenes(shape="box"))
