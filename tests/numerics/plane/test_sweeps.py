@@ -26,7 +26,7 @@ needs_joblib = pytest.mark.skipif(not find_spec("joblib"), reason="joblib is not
 @fewer(5)
 @given(st.lists(plane_scenes(), max_size=3))
 def test_each_row_is_what_solve_says_of_its_scene(drawn):
-    scenes = [one for one in drawn if one.pair.axes == 2] + PUSHED[:1]
+    scenes = [one for one in [*drawn, PUSHED[0]] if one.pair.axes == [*drawn, PUSHED[0]][0].pair.axes]
     found = solve_scenes(scenes, keep_events=2, jobs=1)
     for row, scene in enumerate(scenes):
         if found.status[row] in {Status.SEQUENCE_OPEN, Status.OUT_OF_RANGE}:
