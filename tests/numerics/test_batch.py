@@ -15,6 +15,7 @@ import pytest
 from every_number import batch_held
 from hypothesis import given
 from hypothesis import strategies as st
+from kernel_runs import a_scene
 
 from numerics import (
     EventUndecided,
@@ -64,9 +65,9 @@ IN_DOUBT = {
 }
 SCENES = IN_DOUBT | {
     "a stick that starts exactly on its edge": Scene(OPEN.pair, State(x1="0.005", x2="0.005"), 2),
-    "a block pushed on the ground": Scene(Pair(1, "inf", 0, 2), State(), 3, force=Force.samples([0, 1, 2], [0, 5, 0])),
-    "a belt that shakes": Scene(Pair(5, "inf", 20, 5), State(), 5, belt=Force.sine("0.4", "6.28")),
-    **{name: load_scene(name) for name in ("velocities", "start-at-6mm-literal", "forced-sweep")},
+    "friction that floats do not hold": OPEN.replace(friction=Friction([(1, "1e-400"), (2, "0.3")])),
+    "friction from a time that floats do not hold": OPEN.replace(friction=Friction([("1e-400", "0.02"), (2, "0.3")])),
+    **{name: load_scene(name) for name in ("velocities", "start-at-6mm-literal", "forced-sweep", "ground", "dither")},
 }
 
 
@@ -110,24 +111,13 @@ def test_all_arrays_and_tables_have_the_shape_of_what_is_given(name):
     assert len(found.to_xarray().sizes) == len(shape)
 
 
-SOME = np.random.default_rng(11)
-BESIDE = {"b": 0.0625, "a1": 1, "x1": SOME.choice([0, 0.02], 24), "until": SOME.choice([0.5, 0.9, 1.5, 4], 24)}
-PHASES = np.where(np.arange(24) % 3, SOME.uniform(-3, 3, 24), -4.5)  # -4.5: sin(5 t - 4.5) is 0 at t = 0.9
-BESIDE |= {"sines": [(SOME.uniform(0, 1, 24), 5, PHASES)], "keep_events": 9}
-JUMPS = [("0.9", "0.02"), ("1.7", "1/3")]
 SWEEPS = {
     "speeds": {"v1": np.linspace(0.02, 0.3, 29), "keep_events": 80},
     "body 2 slides for ten minutes": {"m2": 100, "v1": [0.125], "x2": 3, "v2": 3.125, "until": 700, "keep_events": 3},
     "amplitudes from 0 on": {"x1": 0.02, "until": 3, "sines": [([0, 1], 5, 0)]},
-    "horizons before and after jumps of friction": BESIDE | {"friction": Friction(JUMPS)},
-    "the same from its own friction on": BESIDE | {"friction": Friction([(0, "0.3"), *JUMPS])},
-    "frictions that floats do not hold": {
-        "v1": 0.125,
-        "friction": [Friction([one, (2, "0.3")]) for one in (("1e-400", "0.02"), (1, "1e-400"), (1, "1e400"))],
-    },
     # of the free pair among others, too: their ledgers are formed when they are looked at
     "rows out of range": {
-        "b": np.array([0.5, 0.5, 0.0625, 1e-300, 0.25]),
+        "b": [0.5, 0.5, 0.0625, 1e-300, 0.25],
         "a1": [1, 0, 0, 0, 2],
         "v1": 0.125,
         "sines": [([0.375, 0, 0.5, 1, 0.75], 5, 0.25)],
@@ -143,10 +133,15 @@ def test_rows_are_what_their_scenes_are_by_themselves(name):
     assert np.array_equal(np.isnan(found.dissipated), found.status == Status.OUT_OF_RANGE)
 
 
-@pytest.mark.parametrize(("t", "ended"), [(2, "STUCK_FOR_EVER"), (5, "REACHED_HORIZON"), (7, "REACHED_HORIZON")])
-def test_no_stick_is_for_ever_where_friction_changes_at_the_horizon_or_after_it(t, ended):
-    found = solve_many(**PAPER, v1=0.125, a1=3, friction=Friction([(t, "0.5")]))
-    assert found.status == Status[ended]
+def test_scenes_of_a_list_do_not_know_of_each_other():
+    """Forces and frictions by pieces: the same bits."""
+    scenes = [a_scene(np.random.default_rng((7, k))) for k in range(60)]
+    found = solve_scenes(scenes, keep_events=5, max_events=40)
+    for k, scene in enumerate(scenes):
+        alone = solve_scenes([scene], keep_events=5, max_events=40)
+        for name in ("y", "y_error", "event_y", "event_y_error"):
+            assert np.array_equal(getattr(found, name)[:, k], getattr(alone, name)[:, 0], equal_nan=True)
+        assert (found.status[k], found.dissipated[k]) == (alone.status, pytest.approx(alone.dissipated, nan_ok=True))
 
 
 @given(st.integers(0, 2**32 - 1), st.sampled_from(Law))

@@ -23,29 +23,28 @@ def file_of(tmp_path):
     return written
 
 
-@pytest.mark.parametrize(
-    ("pair", "omega", "amplitude", "regime", "events", "said"),
-    [
-        (DAMPED, "12", "0.2", "entrained", 0, "below U**"),
-        (DAMPED, "12", "0.5", "stick-slip", 4, "below U**"),
-        # U** = 11.76 N, but the relative velocity of the motion without stops keeps its sign from 28.5 N on only
-        (FREE, "4.624", "5", "stick-slip", 4, "below U**"),
-        (FREE, "4.624", "-15", "stick-slip", 6, "turns back"),
-        (FREE, "4.624", "30", "non-stop", 2, "yes"),
-    ],
-)
-def test_response_tells_regime_thresholds_and_periodic_motion(
-    file_of, output, record, pair, omega, amplitude, regime, events, said
-):
-    file = file_of(under(pair, 1, omega))
+RESPONSES = """
+damped 12     0.2 | entrained  | 0 | below U**  | 0.8330872604435
+damped 12     0.5 | stick-slip | 4 | below U**  | 0.8330872604435
+free   4.624  5   | stick-slip | 4 | below U**  | 11.7618566
+free   4.624 -15  | stick-slip | 6 | turns back | 11.7618566
+free   4.624  30  | non-stop   | 2 | yes        | 11.7618566
+"""
+"""For the last two the relative velocity of the motion without stops keeps its sign from 28.5 N on only."""
+
+
+@pytest.mark.parametrize("row", RESPONSES.strip().splitlines())
+def test_response_tells_regime_thresholds_and_periodic_motion(file_of, output, record, row):
+    asked, regime, events, said, edge = (one.strip() for one in row.split("|"))
+    pair, omega, amplitude = asked.split()
+    file = file_of(under({"free": FREE, "damped": DAMPED}[pair], 1, omega))
     found, lines = (how("response", file, "--amplitude", amplitude) for how in (record, output))
-    assert (found["regime"], len(found["events"]), found["slips_for_ever"]) == (regime, events, said)
-    edge = "0.8330872604435" if pair is DAMPED else "11.7618566"
+    assert (found["regime"], len(found["events"]), found["slips_for_ever"]) == (regime, int(events), said)
     assert found["non_stop"].startswith(edge)
     assert f"U**, required for permanent slip with two reversals per period = {edge}" in lines
     assert ("U** is not enough here" in lines) is (said == "turns back")
     assert (len(found["multipliers"]), lines.count("multiplier ")) == (3, 3)
-    assert [f"t = {one['t']} s: {one['to']}" in lines for one in found["events"]] == [True] * events
+    assert all(f"t = {one['t']} s: {one['to']}" in lines for one in found["events"])
 
 
 def test_numbers_are_told_where_they_mean_something(output, record):

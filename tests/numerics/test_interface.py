@@ -138,18 +138,16 @@ def test_every_record_is_shown_in_one_short_line():
 
 
 @pytest.mark.slow
-def test_batches_and_responses_are_drawn_and_a_run_becomes_a_film(tmp_path):
+def test_batches_are_drawn_and_a_run_becomes_a_film(tmp_path):
     pyplot = pytest.importorskip("matplotlib.pyplot")
     speeds = np.linspace(0.01, 0.3, 12)
     line = solve_many(1, 1, 200, 0.05, v1=speeds, until=5, max_events=20, jobs=1).plot()
-    assert (line.get_xlabel(), line.get_ylabel()) == ("v1 (m/s)", "dissipated (J)")
-    assert line.get_legend() is not None  # some were cut off
+    assert (line.get_ylabel(), line.get_legend() is None) == ("dissipated (J)", False)  # some were cut off
     chart = solve_many(1, 1, 200, [[0.05], [0.1]], v1=speeds, until=1, jobs=1).plot("events")
     assert (chart.get_xlabel(), chart.get_ylabel()) == ("b (N)", "v1 (m/s)")
     solve(PAPER).animate(tmp_path / "run.gif", duration=0.3, frames_per_second=10)
     with Image.open(tmp_path / "run.gif") as film:
         assert film.n_frames == 3
-    assert [path.name for path in tmp_path.iterdir()] == ["run.gif"]
     pyplot.close("all")
 
 
