@@ -11,7 +11,6 @@ from scipy.optimize import linprog, lsq_linear
 from numerics import NotSettled, Pair, Scene, State, cheapest_transfer
 from numerics.arithmetic.ball import Ball
 from numerics.control.least_energy import Search
-from numerics.control.least_peak import Switched
 
 STIFF, HEAVY = Pair(1, 1, 200, "0.5", 40), Pair("0.7", 3, 90, "1.2", "0.2")
 OVERDAMPED = Pair(1, 1, 200, "0.5", 60)
@@ -106,15 +105,6 @@ def test_the_bound_holds_for_wrong_forces_too_and_shows_them(far):
         for more, less in (search.bound(one, most) for one in wrong):
             assert less < bound
             assert more - less > cost * 1e-8
-
-
-@pytest.mark.parametrize("pair", [DAMPED, OVERDAMPED])
-def test_the_bound_on_the_peak_holds_for_a_wrong_switching_time_too(pair):
-    found = planned(pair, "0.001", "0.2", least="peak")
-    with Ball(40).context():
-        switched, s = Switched(pair, Fraction("0.2")), Ball.number(found.scene.force.starts[1])
-        for wrong in (s * 0.99, s * 1.01, s * 0.9):
-            assert found.cost * 0.8 < switched.bound(Fraction("0.001"), wrong) < found.cost * (1 - 1e-6)
 
 
 def test_a_bound_that_is_not_close_is_not_given(monkeypatch):

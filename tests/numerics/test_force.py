@@ -43,15 +43,6 @@ def test_a_trapezoid_is_what_it_says_on_both_sides_of_a_time(force):
         assert [force(t, side) for side in (-1, 1)] == [*map(Fraction, values.split())]
 
 
-def test_a_sweep_goes_on_without_a_jump_and_sines_have_a_common_frequency():
-    sweep = Force.sweep(2, [3, 5, "1/3"], 1, "0.5")
-    for at in (Fraction(3, 2), Fraction(5, 2)):
-        assert sweep(at, -1) == pytest.approx(sweep(at), abs=1e-12)
-    assert Force.sine(2, 3).frequency == 3
-    assert (Force.sine(2, "1/2") + Force.sine(1, "1/3")).frequency == Fraction(1, 6)
-    assert Force.step(0, 1).frequency is None
-
-
 @given(signed(decimals(-300, 300, 30)))
 @example(Fraction(0))
 @example(Fraction(10) ** 1000)

@@ -6,12 +6,15 @@ import numpy as np
 import pytest
 from flint import arb
 from hypothesis import example, given
-from plane_paths import agree, overlap
+from plane_paths import agree, overlap, path_of
 from strategies import fewer, plane_scenes
 
 from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, NumericsError
+from numerics.plane.defect import defect, slip_defect
+from numerics.plane.series import Expansion, Point
+from numerics.plane.vector import Vector
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
 
@@ -79,6 +82,21 @@ def test_what_a_bound_says_holds_at_more_digits(scene):
     with high.context():
         assert agree((low.events, low._points), (high.events, high._points))
     assert low.digits == 15
+
+
+def test_a_defect_sees_what_friction_lacks():
+    """What friction is off counts for both bodies, and a size that is none of the slip bounds no size."""
+    system = path_of(load_scene("plane-circle-merges"), 30).system
+    place, speed, s = (Vector(map(arb, one)) for one in (("0.004", 0), (0, "0.05"), ("0.01", "0.02")))
+    lacking = Vector([arb(0), arb("1e-9")])
+    with system.fine():
+        at, h = Point(0, arb(0), *(part.each(arb.mid) for part in (place, speed, s, place))), arb("0.1").mid()
+        step, added = Expansion(system, at).drawn(h), (lacking / m for m in (system.m1, system.m2))
+        assert not defect(system, step, lacking).norm < system.norm(system.still, *added)
+        slip, rate = step.curve.s, step.curve.t.derivative()
+        _, least = slip_defect(system, step, slip, rate * (arb("1.1") / h))
+        squares = slip * slip @ system.pieces[0].b_squared
+        assert all(least**2 < squares(arb(n) / 8) for n in range(9))
 
 
 def test_the_state_at_any_time_lies_between_the_events():

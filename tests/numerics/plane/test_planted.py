@@ -30,12 +30,7 @@ def moved(scene, name, axis, by):
     weights = {"x1": [row[k] for k, row in enumerate(scene.pair.a2)], "v1": scene.pair.m1, "v2": scene.pair.m2}
     given = list(getattr(scene, name))
     given[axis] += Fraction(by / math.sqrt(weights[name][axis]))
-    return changed(scene, **{name: given})
-
-
-def changed(scene, **new):
-    parts = {name: getattr(scene, name) for name in ("x1", "v1", "x2", "v2", "until", "force", "friction")}
-    return PlaneScene(scene.pair, **(parts | new))
+    return scene.replace(**{name: given})
 
 
 @pytest.mark.parametrize(("scene", "off"), [(BOX, 1e-9), (ELLIPSE, 1e-13), (ROUND, 1e-13)])
@@ -52,7 +47,7 @@ def test_an_event_that_may_come_before_or_after_a_jump_is_in_doubt(scene, off):
     first = said(scene, off)[0][0]
     late = Fraction(float(first.t.rad()))
     for part in (-300, Fraction(-1, 2), Fraction(1, 2)):
-        jump = changed(scene, friction=[(Fraction(float(first.t.mid())) + part * late, "0.45")])
+        jump = scene.replace(friction=[(Fraction(float(first.t.mid())) + part * late, "0.45")])
         if part < -1:
             assert said(jump, off)
         else:
