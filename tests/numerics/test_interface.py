@@ -153,7 +153,7 @@ def test_batches_are_drawn_and_a_run_becomes_a_film(tmp_path):
 
 @pytest.mark.parametrize("how", HOW[:4])
 def test_times_asked_for_may_be_any_numbers_in_arrays_of_any_shape(how):
-    asked, times = [0, "1/3", 0.5, 2], np.linspace(0, 3, 6).reshape(2, 3)
+    asked, times = [0, "1/3", 0.5, 2], np.linspace(0, 3, 40)[:6].reshape(2, 3)
     run = solve(PAPER, **how, t_eval=asked)
     assert run.t.shape == run.energy.shape == (4,)
     assert run.floats(run.t) == pytest.approx([0, 1 / 3, 0.5, 2])
