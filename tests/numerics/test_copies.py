@@ -212,9 +212,3 @@ def test_what_else_a_file_is_is_said(tmp_path, write, kind, said):
     write(file := tmp_path / "run.npz")
     with pytest.raises((InvalidFile, FileNotFoundError), match=said):
         kind.load(file)
-
-
-@pytest.mark.parametrize("call", [Trajectory.load, solve(PAPER).save, solve(PAPER).animate])
-def test_a_name_of_a_file_is_text_or_a_path(call):
-    with pytest.raises(TypeError, match="file = '3' is no name of a file; give one"):
-        call(3)

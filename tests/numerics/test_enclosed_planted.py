@@ -5,11 +5,11 @@ from copy import copy
 from fractions import Fraction
 
 import pytest
-from enclosed_runs import EVEN, ONE_ANSWER, events, itinerary, numbers, run, same, under
+from enclosed_runs import ONE_ANSWER, events, itinerary, numbers, run, same, under
 from flint import arb, arb_poly
 from sixty_digits import forced_scene
 
-from numerics import EventUndecided, Force, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
+from numerics import EventUndecided, Force, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
@@ -147,11 +147,6 @@ def test_what_starts_within_a_box_of_a_jump_or_of_an_edge_is_in_doubt():
     assert boxed(rising, "1e-8").events == 0
     with pytest.raises(EventUndecided):
         boxed(rising, "1e-5")
-
-
-def test_friction_that_comes_to_nothing_at_the_end_of_a_cell_is_refused():
-    with pytest.raises((InvalidScene, EventUndecided)):
-        run(under(EVEN, 1, (0, 2), Weakening((), 0, [(0, 0), (1, "-0.5")])))
 
 
 @pytest.mark.parametrize(

@@ -8,12 +8,6 @@ from interruption import interrupted
 from three_scenes import PAPER
 
 from numerics import OutOfRange, Pair, Scene, State, solve
-from numerics.free.energy import energy_at
-
-
-def test_digits_that_need_countless_steps_are_refused_at_once():
-    with pytest.raises(OutOfRange, match=r"about .*e\+?\d+ events .*max_steps"):
-        energy_at(PAPER, "1e1000", digits=1000)
 
 
 def test_a_phase_lost_before_the_horizon_is_said():
@@ -34,11 +28,9 @@ def test_the_orbit_of_a_damped_pair_needs_no_phase():
 
 
 @pytest.mark.parametrize("a1", ["1e-24", "1e-18"])
-def test_a_damped_slip_of_1e22_radians_is_solved_in_balls_and_refused_by_floats(a1):
+def test_a_damped_slip_of_1e22_radians_is_solved_in_balls(a1):
     """Also where it has died away. In one a float of the wait and its bound agree long before the wait is over."""
     scene = Scene(Pair(1, 1, 200, "0.05", a1=a1), State(x1="0.01", v2="1e20"), until="1e25")
-    with pytest.raises(OutOfRange, match="steps"):
-        solve(scene, max_events=3, arithmetic="float64")
     balls, found = solve(scene, digits=30, arithmetic="ball", max_events=3), solve(scene, max_events=3)
     assert (found.modes, found.arithmetic.name) == (balls.modes, "ball")
     assert found.y[0, 0].overlaps(balls.y[0, 0])

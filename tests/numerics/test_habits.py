@@ -9,7 +9,6 @@ import pytest
 
 from numerics import (
     Force,
-    InvalidScene,
     Pair,
     Scene,
     State,
@@ -92,12 +91,6 @@ def test_stroboscopic_points_of_a_periodic_motion_are_one_and_a_time_is_a_multip
     assert found.plot("v1 - v2").get_ylabel() == "v1 - v2, once a period (m/s)"
 
 
-@pytest.mark.parametrize(("keep", "period"), [(1, 3), (2, 2), (3, 1), (2, "1.5")])
-def test_the_start_is_no_point_of_a_diagram(keep, period):
-    with pytest.raises(InvalidScene, match="until = 2 s is shorter than"):
-        bifurcation([load_scene("belt").replace(until=2)], keep=keep, period=period)
-
-
 def test_an_end_after_a_whole_number_of_periods_is_a_point_of_a_diagram():
     short = load_scene("belt").replace(until="0.6")  # 0.6/0.2 is 2.9999999999999996 in floats
     assert bifurcation([short], keep=2, period="0.2").t[0] == pytest.approx([0.4, 0.6])
@@ -112,11 +105,6 @@ def test_an_axis_is_named_by_an_input_only_if_its_values_tell_scenes_apart():
     assert solve_scenes([belt, damped, belt]).to_xarray()["events"].dims == ("scene",)
     grid = solve_many(1, 1, 200, 0.5, v1=[[0.1], [0.2]], x1=[0, 0.01, 0], until=1).to_xarray()
     assert (grid["events"].dims, grid["x1"].shape) == (("v1", "axis_1"), (2, 3))
-
-
-def test_a_batch_has_no_table_of_times():
-    with pytest.raises(TypeError, match=r"only a run's table takes times: run\.to_dataframe\(times\)"):
-        solve_scenes([PAPER]).to_dataframe([1, 2])
 
 
 class Terminal(io.StringIO):

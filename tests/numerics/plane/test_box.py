@@ -9,7 +9,7 @@ from strategies import fewer, plane_scenes
 
 from numerics import Force, Piece, solve
 from numerics.arithmetic.ball import Ball
-from numerics.errors import EventUndecided, NumericsError
+from numerics.errors import NumericsError
 from numerics.plane.solve import followed
 from numerics.scene.plane import PlanePair, PlaneScene
 
@@ -42,12 +42,6 @@ def test_mirrored_axes_have_their_events_together():
     assert {one.after for one in found.events} == {"+-", "00", "-+"}
     x, y = found.final_state.x1
     assert x.overlaps(-y)
-
-
-def test_coupled_axes_with_one_event_time_are_not_decided():
-    pair = PlanePair(1, 1, [[200, 60], [60, 200]], "0.5", shape="box")
-    with pytest.raises(EventUndecided, match="which axis"):
-        solve(PlaneScene(pair, 1, x1="0.02", v1="0.1"), digits=10)
 
 
 def uneven(v2, *forces):
@@ -83,7 +77,7 @@ def test_what_happens_at_one_time_that_is_known_exactly_is_one_event(name):
     first, (before, after, t, cause) = found.events[0], said.split()
     assert (*found.modes[:2], first.cause) == (before, after, cause)
     assert first.t.overlaps(Ball.number(Fraction(t)))
-    assert all(first.load[k % 2].contains(arb(load)) for k, load in enumerate(loads.split()))
+    assert all(first.load[k % 2].contains(float(load)) for k, load in enumerate(loads.split()))
 
 
 @pytest.mark.parametrize(("v", "modes"), [("0.1", ["-0", "00"]), ("-0.1", ["00", "+0"])])

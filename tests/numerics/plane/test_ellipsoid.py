@@ -11,7 +11,7 @@ from strategies import fewer, plane_scenes
 
 from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.ball import Ball
-from numerics.errors import EventUndecided, NumericsError
+from numerics.errors import NumericsError
 from numerics.plane.defect import defect, slip_defect
 from numerics.plane.series import Expansion, Point
 from numerics.plane.vector import Vector
@@ -125,11 +125,6 @@ def test_ellipses_that_touch_the_edge_are_stuck_for_ever_and_larger_ones_slip(ro
     assert (solve(scene, digits=10).modes == ("stick",)) == (then == "sticks")
     weaker = scene.replace(friction=[("0.7", "0.499")])
     assert then == "slips" or solve(weaker, digits=10).modes[:2] == ("stick", "slip")
-
-
-def test_an_ellipse_of_two_frequencies_on_the_edge_is_not_decided():
-    with pytest.raises(EventUndecided, match="leave the friction set"):
-        solve(PlaneScene(PlanePair(1, 1, [200, 50], "0.5"), 3, x1=["0.004", "0.012"]), digits=10)
 
 
 @pytest.mark.parametrize(("v", "before"), [("0.05", "slip"), ("-0.05", "stick")])
