@@ -8,6 +8,7 @@ import pytest
 
 from numerics import Pair, Scene, Signal, State, Trajectory, load_scene, solve, solve_scenes
 from numerics.linear.record import AT
+from numerics.trajectory.columns import STATE
 
 RUN = solve(load_scene("velocities"))
 """24 events in float64."""
@@ -54,7 +55,7 @@ def test_without_bounds_it_says_what_numbers_are_off_by():
     assert 0 < max(one.error for one in found.off) < 1e-18
 
 
-@pytest.mark.parametrize(("name", "column"), [("t", "local"), *((one, one) for one in ("x1", "v1", "x2", "v2"))])
+@pytest.mark.parametrize(("name", "column"), [("t", "local"), *zip(STATE, STATE, strict=True)])
 def test_a_falsified_number_is_named_with_its_event(name, column):
     """A row's state is that of its event; what is a little off is beyond the bound, and less is not."""
     row = int(RUN.event_rows[6])
@@ -70,18 +71,18 @@ def test_a_falsified_number_is_named_with_its_event(name, column):
 def test_a_bound_that_is_too_small_is_named():
     proud = RUN.but()
     proud.__dict__["accuracy"] = replace(RUN.accuracy, y=RUN.accuracy.y * 1e-9)
-    assert [one.quantity for one in proud.check().off if not one.within] == ["x1", "v1", "x2", "v2"]
+    assert [one.quantity for one in proud.check().off if not one.within] == [*STATE]
 
 
 @pytest.mark.parametrize("event", [1, 5])
 def test_a_falsified_mode_is_the_first_event_that_differs_and_only_what_is_before_it_is_compared(event):
     found = falsified(int(RUN.event_rows[event - 1]), mode=1 - abs(RUN.signs[event])).check()
-    assert (found.difference.event, found.difference.t) == (event, RUN.event_times[event - 1])
+    assert (found.right, found.difference.event, found.difference.t) == (False, event, RUN.event_times[event - 1])
     assert found.difference.mode != found.difference.true_mode == RUN.modes[event].value
     assert str(found.difference) in str(found)
-    assert not found.right
-    assert {one.quantity for one in found.off} == ({"t", "x1", "v1", "x2", "v2"} if event > 1 else set())
-    assert all(one.within for one in found.off)
+    assert {(one.quantity, one.within) for one in found.off} == {
+        (one, True) for one in ("t", *STATE)[: 9 * (event > 1)]
+    }
     assert ("no number could be compared" in str(found)) is (event == 1)
     assert json.loads(json.dumps(found.to_dict()))["difference"]["event"] == event
 

@@ -10,9 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scene_files import scenes_in
 from strategies import EXTREME, scenes
+from three_scenes import PAPER
 
 from numerics import (
     NumericsError,
+    OutOfRange,
     Pair,
     PlanePair,
     PlaneScene,
@@ -71,3 +73,29 @@ def test_exponents_that_differ_by_many_magnitudes_are_told_apart():
     """A rotating force of 1e9 rad/s: the roots were sought at one precision, and flint's words came through."""
     found = response(PlaneScene(PlanePair(1, 1, 200, "0.5", 1), 1), amplitude=1, omega="1e9")
     assert [float(one.real) < 0 for one in found.exponents] == [True] * 6
+
+
+def test_a_phase_lost_before_the_horizon_is_said():
+    """Fig. 3's pair below E_cr: stuck for ever, but where on its orbit after 1e23 rad?"""
+    scene, how = PAPER.replace(x1="0.003", v1="0.02", v2="-0.01", until="1e22"), {"arithmetic": "mpmath", "digits": 5}
+    with pytest.raises(OutOfRange, match="ball"):
+        solve(scene, arithmetic="float64")
+    run, truth = solve(scene, **how), solve(scene, digits=15, arithmetic="ball")
+    assert (run.phase_lost, "keep no phase" in run.message, truth.phase_lost) == (True, True, False)
+    assert float(run.reduced.final.w) == pytest.approx(truth.floats(truth.reduced.final.w), rel=1e-12)
+    assert not solve(scene.replace(until=5), **how).phase_lost
+
+
+def test_the_orbit_of_a_damped_pair_needs_no_phase():
+    run = solve(Scene(Pair(1, 1, 200, "0.5", a1="0.001"), State(x1="0.003"), until="1e22"))
+    assert not run.phase_lost
+    assert abs(run.y[0, -1]) < 1e-300
+
+
+@pytest.mark.parametrize("a1", ["1e-24", "1e-18"])
+def test_a_damped_slip_of_1e22_radians_is_solved_in_balls(a1):
+    """Also where it has died away. In one a float of the wait and its bound agree long before the wait is over."""
+    scene = Scene(Pair(1, 1, 200, "0.05", a1=a1), State(x1="0.01", v2="1e20"), until="1e25")
+    balls, found = solve(scene, digits=30, arithmetic="ball", max_events=3), solve(scene, max_events=3)
+    assert (found.modes, found.arithmetic.name) == (balls.modes, "ball")
+    assert found.y[0, 0].overlaps(balls.y[0, 0])

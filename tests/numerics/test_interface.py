@@ -72,9 +72,11 @@ def test_every_attribute_of_what_a_user_meets_is_told_and_shown_in_an_example_th
         assert re.search(rf"\b{name}\b", examples) or f".{name}(" in GUIDE, name
 
 
-def signatures(one):
-    """The annotations of a function, as a type checker reads them: those of its overloads, where it has some."""
+def annotations(one):
+    """Those of a function as a type checker reads them, of its overloads if it has some; of the fields of a class."""
     function = inspect.unwrap(getattr(one, "__func__", getattr(one, "fget", getattr(one, "func", one))))
+    if inspect.isclass(one):
+        return [{key: kind for key, kind in inspect.get_annotations(one).items() if key[0] != "_"}]
     if not inspect.isfunction(function):
         return []  # of Python itself
     return [inspect.get_annotations(each) for each in typing.get_overloads(function) or [function]]
@@ -82,16 +84,10 @@ def signatures(one):
 
 @pytest.mark.parametrize("name", dir(numerics))
 def test_no_public_signature_is_without_a_type(name):
-    public_name = getattr(numerics, name)
-    if not inspect.isclass(public_name):
-        found = {name: signatures(public_name)}
-    else:
-        members = {key: one for kind in reversed(public_name.__mro__) for key, one in vars(kind).items()}
-        told = {key: one for key, one in members.items() if key in {*public(public_name), "__init__"} - FOR_THE_HOUSE}
-        found = {key: signatures(one) for key, one in told.items() if callable(one) or hasattr(one, "fget")}
-        found["fields"] = [{key: one for key, one in inspect.get_annotations(public_name).items() if key[0] != "_"}]
-    untyped = [f"{key}: {each}" for key, some in found.items() for each in some if re.search(r"\bAny\b", str(each))]
-    assert not untyped
+    of = getattr(numerics, name)
+    members = {*public(of), "__init__"} - FOR_THE_HOUSE if inspect.isclass(of) else ()
+    for one in (of, *(inspect.getattr_static(of, member) for member in members)):
+        assert not re.search(r"\bAny\b", str(annotations(one))), one
 
 
 @pytest.mark.parametrize("name", [one for one in dir(numerics) if inspect.isfunction(getattr(numerics, one))])
