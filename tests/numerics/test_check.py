@@ -3,10 +3,9 @@
 import json
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
-from numerics import Pair, Scene, Signal, State, Trajectory, load_scene, solve, solve_scenes
+from numerics import Pair, Scene, Signal, State, Trajectory, load_scene, solve
 from numerics.linear.record import AT
 from numerics.trajectory.columns import STATE
 
@@ -40,12 +39,6 @@ def test_a_true_run_passes(name, how):
     quantities |= {"t"} if found.events else set()
     assert quantities | ({"energy_excess"} if run.scene.pair.a2 else set()) <= {one.quantity for one in found.off}
     assert run.arithmetic.digits < 100
-
-
-def test_many_scenes_have_no_excess_where_a_wall_moves():
-    scene = Scene(Pair(1, 1, 200, "0.5"), State(), 1, wall=Signal.sine("0.01", 5))
-    found = solve_scenes([scene, RUN.scene], jobs=1)
-    assert np.isnan([found.energy_excess, found.energy_excess_error]).tolist() == [[True, False]] * 2
 
 
 def test_without_bounds_it_says_what_numbers_are_off_by():

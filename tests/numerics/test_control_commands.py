@@ -11,18 +11,6 @@ from numerics import Force, Mode, fastest_transfer, scene_text, solve, track
 from numerics.control.answers import SecondSolveDiffers, solved_again
 from numerics.scene.file import load_reference, load_scene, parse_scene
 
-
-@pytest.fixture
-def file_of(tmp_path):
-    """A scene as a file."""
-
-    def written(scene):
-        (tmp_path / "scene.toml").write_text(scene_text(scene), "utf-8")
-        return tmp_path / "scene.toml"
-
-    return written
-
-
 RESPONSES = """
 damped 12     0.2 | entrained  | 0 | below U**  | 0.8330872604435
 damped 12     0.5 | stick-slip | 4 | below U**  | 0.8330872604435
@@ -34,10 +22,10 @@ free   4.624  30  | non-stop   | 2 | yes        | 11.7618566
 
 
 @pytest.mark.parametrize("row", RESPONSES.strip().splitlines())
-def test_response_tells_regime_thresholds_and_periodic_motion(file_of, output, record, row):
+def test_response_tells_regime_thresholds_and_periodic_motion(tmp_path, output, record, row):
     asked, regime, events, said, edge = (one.strip() for one in row.split("|"))
     pair, omega, amplitude = asked.split()
-    file = file_of(under({"free": FREE, "damped": DAMPED}[pair], 1, omega))
+    (file := tmp_path / "scene.toml").write_text(scene_text(under({"free": FREE, "damped": DAMPED}[pair], 1, omega)))
     found, lines = (how("response", file, "--amplitude", amplitude) for how in (record, output))
     assert (found["regime"], len(found["events"]), found["slips_for_ever"]) == (regime, int(events), said)
     assert found["non_stop"].startswith(edge)

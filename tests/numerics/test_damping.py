@@ -39,10 +39,9 @@ def test_both_times_are_those_of_the_independent_reference(scene):
     assert 200 * x1**2 + v1**2 + v2**2 == pytest.approx(200 * 0.001**2, rel=1e-7)
 
 
-def test_more_damping_is_not_always_sooner():
-    times = [float(own(FIGURE.replace(a1=a1)).stuck) for a1 in ("0.56", "0.63", "0.64", "1")]
-    assert times[0] < times[1] > times[2] > times[3]
-    assert [own(STUCK.replace(a1=a1)).stuck > 0 for a1 in (0, 4, 7)] == [True, False, True]
+@pytest.mark.parametrize(("a1", "slips"), [(0, True), (4, False), (7, True)])
+def test_a_pair_that_starts_in_stick_may_slip_with_more_damping(a1, slips):
+    assert (own(STUCK.replace(a1=a1)).stuck > 0) is slips
 
 
 @pytest.mark.parametrize("scene", [MOVING, MOVING.replace(x1="-0.0005"), FIGURE])
