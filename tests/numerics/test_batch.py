@@ -65,6 +65,7 @@ IN_DOUBT = {
 }
 SCENES = IN_DOUBT | {
     "a stick that starts exactly on its edge": Scene(OPEN.pair, State(x1="0.005", x2="0.005"), 2),
+    "a stick at the horizon, but friction changes later": OPEN.replace(a1=3, friction=Friction([(7, "0.4")])),
     "friction that floats do not hold": OPEN.replace(friction=Friction([(1, "1e-400"), (2, "0.3")])),
     "friction from a time that floats do not hold": OPEN.replace(friction=Friction([("1e-400", "0.02"), (2, "0.3")])),
     **{
