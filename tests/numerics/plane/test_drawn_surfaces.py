@@ -50,12 +50,17 @@ def test_no_sequence_is_wrong_and_no_bound_exceeded(kind):
 
 
 def looseness(run, truth):
-    """The largest radius over the largest error, of the place or the velocity of a body, of events and end."""
+    """The largest radius over the largest error, both in N^2 = x1.A2 x1 + v1.M1 v1 + v2.M2 v2, of events and end."""
+    pair = run.scene.pair
+    a2, m1, m2 = (np.array(given, dtype=float) for given in (pair.a2, pair.m1, pair.m2))
+
+    def norm(states):
+        x, v, _, w = states.reshape(4, pair.axes, -1)
+        return np.sqrt(np.sum(x * (a2 @ x), 0) + m1 @ v**2 + m2 @ w**2).max()
+
     with truth.context():
-        pairs = zip(run.y.flat, truth.y.flat, strict=True)
-        sizes = np.array([[float(x.rad()), float(abs(x.mid() - true).upper())] for x, true in pairs])
-    radii, errors = sizes.T.reshape(2, 4, -1).max(axis=2)
-    return (radii / errors).max()
+        errors = [float(abs(x.mid() - true).upper()) for x, true in zip(run.y.flat, truth.y.flat, strict=True)]
+    return norm(np.array([float(x.rad()) for x in run.y.flat])) / norm(np.array(errors))
 
 
 @pytest.mark.long
