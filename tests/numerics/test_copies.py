@@ -162,17 +162,16 @@ WRITTEN = [
 ]
 
 
-@pytest.mark.parametrize("scene", [PAPER, PLANE])
-def test_a_file_with_another_header_is_refused_in_a_sentence(tmp_path, scene):
+@pytest.mark.parametrize(("scene", "arithmetic"), [(PAPER, "decimal"), (PLANE, "mpmath")])
+def test_a_file_with_another_header_is_refused_in_a_sentence(tmp_path, scene, arithmetic):
     path, run = tmp_path / "run.npz", solve(scene)
     run.save(path)
     right = json.loads(header_of(path))
     write_header(path, json.dumps(right))
     assert type(run).load(path) == run
-    for wrong in [
-        *WRITTEN,
-        *(json.dumps(right | {name: one}) for name in right.keys() - {"tried", "mode"} for one in WRONG),
-    ]:
+    changes = [{name: one} for name in right.keys() - {"tried", "mode"} for one in WRONG]
+    changes.append({"arithmetic": [arithmetic, 20]})
+    for wrong in [*WRITTEN, *(json.dumps(right | one) for one in changes)]:
         write_header(path, wrong)
         with pytest.raises(InvalidFile, match=r"holds no saved trajectory.*; give a file that `save`") as found:
             type(run).load(path)
