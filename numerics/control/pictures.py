@@ -179,7 +179,9 @@ def draw_damping(found: Any) -> Figure:
     for damper, style in ((found.scene.pair.a1, "-."), (found.best, ":")):
         if damper:
             ax.axvline(float(damper), color=GRAY, ls=style, label=f"$a_1$ = {float(damper):g} N s/m")
-    ax.set(xscale="log", yscale="log", xlabel="$a_1$ (N s/m)", ylabel="time from which it does (s)")
+    ax.set(xscale="log", xlabel="$a_1$ (N s/m)", ylabel="time from which it does (s)")
+    if any(time > 0 for one in times for time in one):
+        ax.set_yscale("log")
     ax.set_title("When the pair sticks for good and when it rests, by its damper")
     _legends_below([ax])
     return figure

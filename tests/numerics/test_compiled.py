@@ -6,25 +6,11 @@ import sys
 import threading
 
 import pytest
-from sixty_digits import forced_scene
 
 from numerics.arithmetic import compiled as compiling
 from numerics.arithmetic.compiled import can_compile
-from numerics.arithmetic.float64 import Float64
-from numerics.trajectory.run import run_scene
 
 needs_numba = pytest.mark.skipif(not can_compile(), reason="numba is not installed")
-
-
-@needs_numba
-@pytest.mark.parametrize("name", ["many-causes", "damping-heavy", "resonance-in-slip", "sweep", "friction-by-pieces"])
-def test_a_forced_run_has_the_same_answers(name, monkeypatch):
-    fast = run_scene(forced_scene(name), Float64(), 1000)
-    monkeypatch.setattr("numerics.linear.engine.compiled", lambda function: function)
-    plain = run_scene(forced_scene(name), Float64(), 1000)
-    assert plain.modes == fast.modes
-    assert (abs(plain.event_times - fast.event_times) <= plain.accuracy.t + fast.accuracy.t).all()
-    assert (abs(plain.event_states.T - fast.event_states.T) <= plain.accuracy.y + fast.accuracy.y).all()
 
 
 def test_one_process_compiles_while_the_others_wait(tmp_path):

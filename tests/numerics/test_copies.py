@@ -7,7 +7,6 @@ import copy
 import json
 import math
 import pickle
-from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -17,25 +16,17 @@ from hypothesis import example, given
 from strategies import balls
 from three_scenes import DAMPED, HOW, PAPER, STUCK
 
+import numerics
 from numerics import (
     InvalidScene,
     PlanePair,
     PlaneScene,
     PlaneTrajectory,
     Trajectory,
-    cheapest_transfer,
-    damping,
-    fastest_transfer,
-    load_reference,
     load_scene,
-    response,
-    ring_entry,
     sensitivities,
     solve,
     solve_many,
-    solve_scenes,
-    thresholds,
-    track,
 )
 from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidFile
@@ -46,7 +37,7 @@ TIMES = [0, "0.1", "1/3", 0.5, 2]
 PLANE = load_scene("plane-box")
 COUPLED = [[200, 0, 60], [0, 90, 0], [60, 0, 120]]
 BOX, ROUND = PlanePair(1, 1, [200, 120], ["0.5", "0.3"], shape="box"), PlanePair(1, 1, 200, "0.5")
-LINES = [PAPER, DAMPED, STUCK, load_scene("forced-friction-by-pieces"), load_scene("conveyor").replace(until=3)]
+LINES = [PAPER, DAMPED, STUCK, load_scene("forced-friction-by-pieces"), load_scene("conveyor").replace(until=1)]
 RUNS = [(scene, how) for scene in LINES for how in HOW if free_scene(scene) or how.get("arithmetic") != "mpmath"]
 RUNS += [(PAPER, {"digits": 20, "t_eval": TIMES}), (PLANE, {"digits": 20})]
 RUNS += [
@@ -98,29 +89,28 @@ def test_a_run_and_all_that_it_answers_comes_back(scene, how, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["run.npz"]
 
 
-@pytest.mark.parametrize(
-    "ask",
-    [
-        lambda: thresholds(PAPER.pair, omega=7),
-        lambda: response(DAMPED, amplitude=3, omega=7),
-        lambda: response(DAMPED, amplitude="0.1", omega=7),
-        lambda: fastest_transfer(load_scene("at-rest"), "0.01"),
-        lambda: cheapest_transfer(load_scene("at-rest"), "0.001", "0.2"),
-        lambda: damping(load_scene("at-rest"), "0.001"),
-        lambda: track(load_scene("at-rest"), load_reference("s-curve")),
-        lambda: ring_entry(PAPER, radius="0.001"),
-        lambda: sensitivities(solve(replace(PAPER, until="0.1"), digits=40)),
-        lambda: solve_many(1, 1, 200, 0.5, v1=[0.1, 0.2], until=1, keep_events=2).results,
-        lambda: solve_scenes([PLANE], jobs=1, keep_events=2),
-    ],
-)
-def test_answers_of_control_and_batches(ask):
-    assert same_in_all_copies(ask())
+ANSWERS = """
+thresholds(PAPER.pair, omega=7)
+response(DAMPED, amplitude=3, omega=7)
+response(DAMPED, amplitude="0.1", omega=7)
+fastest_transfer(load_scene("at-rest"), "0.01")
+cheapest_transfer(load_scene("at-rest"), "0.001", "0.2")
+damping(load_scene("at-rest"), "0.001")
+track(load_scene("at-rest"), load_reference("s-curve"))
+ring_entry(PAPER, radius="0.001")
+sensitivities(solve(PAPER.replace(until="0.1"), digits=40))
+solve_scenes([PLANE], jobs=1, keep_events=2)
+"""
+
+
+@pytest.mark.parametrize("asked", ANSWERS.strip().splitlines())
+def test_answers_of_control_and_batches(asked):
+    assert same_in_all_copies(eval(asked, {**{name: getattr(numerics, name) for name in dir(numerics)}, **globals()}))
 
 
 def test_a_batch_answers_as_before():
     batch = solve_many(1, 1, 200, 0.5, v1=[0.1, 0.2], until=1, keep_events=2)
-    assert [bits(make(batch).dissipated) for make in COPIES] == [bits(batch.dissipated)] * 3
+    assert [bits(make(batch).results) for make in COPIES] == [bits(batch.results)] * 3
 
 
 def test_a_scene_that_no_file_holds_is_compared_and_pickled_all_the_same():
@@ -158,16 +148,8 @@ def write_header(path, text):
     np.savez_compressed(path, header=np.frombuffer(data, np.uint8))
 
 
-CHANGED = [
-    {"format": "another"},
-    {"arithmetic": ["ball", 20]},
-    {"how": 17},
-    {"rest": [10**9, True, 0, 0, 0]},
-    {"scene": "[pair]"},
-    {"t_eval": [99]},
-    {"rows": {"floats": ["", 0, 3]}},
-    {"rows": [[math.nan] * 30]},
-]
+WRONG = "another", [99], [10**9, True, 0, 0, 0], [[math.nan] * 30]
+"""In the place of any part of a header but texts that are only shown."""
 WRITTEN = [
     b"[" * 200_000,
     b"{}",
@@ -178,29 +160,22 @@ WRITTEN = [
     b'{"ratio": ["0x1", "0x0"]}',
     b'{"floats": ["AAAA", 1000000000000]}',
 ]
-REPLACED = {
-    '"legs": [[': '"legs": [7, [',
-    '"ball", ': '"mpmath", ',
-    'shape = \\"box\\"': 'shape = \\"star\\"',
-    '"mode": ': '"start": ',
-}
-BAD = [(PAPER, lambda text, new=new: json.dumps(json.loads(text) | new)) for new in CHANGED]
-BAD += [(PAPER, lambda _, new=new: new) for new in WRITTEN]
-BAD += [(PLANE, lambda text, old=old: text.replace(old, REPLACED[old], 1)) for old in REPLACED]
 
 
-@pytest.mark.parametrize(("scene", "change"), BAD)
-def test_a_file_with_another_header_is_refused_in_a_sentence(tmp_path, scene, change):
+@pytest.mark.parametrize(("scene", "arithmetic"), [(PAPER, "decimal"), (PLANE, "mpmath")])
+def test_a_file_with_another_header_is_refused_in_a_sentence(tmp_path, scene, arithmetic):
     path, run = tmp_path / "run.npz", solve(scene)
     run.save(path)
-    right = header_of(path)
-    write_header(path, right)
+    right = json.loads(header_of(path))
+    write_header(path, json.dumps(right))
     assert type(run).load(path) == run
-    write_header(path, wrong := change(right))
-    assert wrong != right
-    with pytest.raises(InvalidFile, match=r"holds no saved trajectory.*; give a file that `save`") as found:
-        type(run).load(path)
-    assert "\n" not in str(found.value)
+    changes = [{name: one} for name in right.keys() - {"tried", "mode"} for one in WRONG]
+    changes.append({"arithmetic": [arithmetic, 20]})
+    for wrong in [*WRITTEN, *(json.dumps(right | one) for one in changes)]:
+        write_header(path, wrong)
+        with pytest.raises(InvalidFile, match=r"holds no saved trajectory.*; give a file that `save`") as found:
+            type(run).load(path)
+        assert "\n" not in str(found.value), wrong
 
 
 @pytest.mark.parametrize(("scene", "kind"), [(PAPER, Trajectory), (PLANE, PlaneTrajectory)])
@@ -220,33 +195,19 @@ def test_a_file_in_which_a_byte_was_changed_or_is_missing_is_refused_or_holds_th
     assert count > len(changed) // 2
 
 
-def test_a_run_of_the_other_kind_is_named(tmp_path):
-    for scene, other, said in (
-        (PAPER, PlaneTrajectory, "a run on a line, which Trajectory.load reads"),
-        (PLANE, Trajectory, "a run on a surface, which PlaneTrajectory.load reads"),
-    ):
-        solve(scene).save(tmp_path / "run.npz")
-        with pytest.raises(InvalidFile, match=said):
-            other.load(tmp_path / "run.npz")
-
-
 @pytest.mark.parametrize(
-    ("write", "said"),
+    ("write", "kind", "said"),
     [
-        (lambda file: file.write_bytes(b""), "it is empty"),
-        (lambda file: file.write_text("t,x1\n", encoding="utf-8"), "no npz archive"),
-        (lambda file: np.savez(file, t=np.zeros(3)), "archive of plain arrays, as of --npz"),
-        (lambda file: np.savez(file, header=np.array([{}], dtype=object)), "trajectory"),  # a pickle
-        (lambda _: None, "give a file that `save`"),
+        (solve(PAPER).save, PlaneTrajectory, "a run on a line, which Trajectory.load reads"),
+        (solve(PLANE).save, Trajectory, "a run on a surface, which PlaneTrajectory.load reads"),
+        (lambda file: file.write_bytes(b""), Trajectory, "it is empty"),
+        (lambda file: file.write_text("t,x1\n", encoding="utf-8"), Trajectory, "no npz archive"),
+        (lambda file: np.savez(file, t=np.zeros(3)), Trajectory, "archive of plain arrays, as of --npz"),
+        (lambda file: np.savez(file, header=np.array([{}], dtype=object)), Trajectory, "trajectory"),  # a pickle
+        (lambda _: None, Trajectory, "give a file that `save`"),
     ],
 )
-def test_what_else_a_file_is_is_said(tmp_path, write, said):
+def test_what_else_a_file_is_is_said(tmp_path, write, kind, said):
     write(file := tmp_path / "run.npz")
     with pytest.raises((InvalidFile, FileNotFoundError), match=said):
-        Trajectory.load(file)
-
-
-def test_a_name_of_a_file_is_text_or_a_path():
-    for call in (Trajectory.load, solve(PAPER).save, solve(PAPER).animate):
-        with pytest.raises(TypeError, match="file = '3' is no name of a file; give one"):
-            call(3)
+        kind.load(file)

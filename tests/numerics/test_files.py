@@ -1,12 +1,14 @@
-"""Where what is needed again is kept, and files that are written whole or not at all."""
+"""Where what is needed again is kept, and files that are written whole or not at all, also when somebody interrupts."""
 
 import os
+import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+from interruption import interrupted
 from three_scenes import PAPER
 
 from numerics import load_scene, scene_text
@@ -90,24 +92,15 @@ owners = pytest.mark.skipif(not hasattr(os, "getuid"), reason="the system has no
 
 @owners
 @pytest.mark.parametrize(
-    ("place", "mode", "said"),
-    [
-        (".", 0o720, "others can write"),
-        (".", 0o702, "others can write"),
-        (".", 0o1777, "others can write"),
-        ("..", 0o720, "others can write"),
-        ("../..", 0o777, "others can write"),
-        (".", 0o755, ""),
-        ("..", 0o1777, ""),
-    ],
+    "row", [". 720 no", ". 702 no", ". 1777 no", ".. 720 no", "../.. 777 no", ". 755 yes", ".. 1777 yes"]
 )
-def test_a_cache_that_others_can_change_is_refused(cache, place, mode, said):
+def test_a_cache_that_others_can_change_is_refused(cache, row):
+    (place, mode, is_right), said = row.split(), "others can write"
     make_private(cache)
-    (cache / place).resolve().chmod(mode)
-    assert said in cache_refused()
-    assert bool(said) == bool(cache_refused()) == (cache_folder() != cache)
+    (cache / place).resolve().chmod(int(mode, 8))
+    assert (said in cache_refused(), cache_folder() == cache) == (is_right == "no", is_right == "yes")
     (cache / place).resolve().chmod(0o700)
-    assert cache_folder() == cache
+    assert (cache_folder(), cache_refused()) == (cache, "")
 
 
 @owners
@@ -166,3 +159,38 @@ def test_a_cache_forgets_what_was_used_longest_ago_but_nothing_of_the_last_day(t
     (tmp_path / "3").mkdir()
     forget_unused(tmp_path, 1)
     assert {one.name for one in tmp_path.iterdir()} == {"0", "3", "lock"}
+
+
+@pytest.mark.parametrize(
+    ("program", "words", "module", "said"),
+    [
+        ("numerics", "solve velocities --npz run.npz", "flint", "error: interrupted"),
+        # not at its first module: mpmath, which it imports next, takes whatever happens then for a gmpy not there
+        ("paper_checks", "report --out out", "sympy.core", "paper_checks: interrupted"),
+    ],
+)
+def test_ctrl_c_leaves_nothing(tmp_path, program, words, module, said):
+    code, _, errors = interrupted(program, words.split(), module, tmp_path)
+    assert (code, len(errors.splitlines()), list(tmp_path.iterdir())) == (130, 1, [])
+    assert errors.startswith(said)
+
+
+HALF_WRITTEN = {
+    "npz": "from numerics.files import whole_file\n"
+    "with whole_file(Path('result')) as file:\n    file.write(b'x' * 10**6); file.flush(); wait()",
+    "renamed": "Path.replace = lambda *_: wait()\nfrom numerics.files import whole_file\n"
+    "with whole_file(Path('result')) as file:\n    file.write(b'x' * 10**6)",
+    "report": "Path.replace = lambda *_: wait()\nfrom paper_checks import atomic\n"
+    "atomic.write(Path('result'), 'x' * 10**6)",
+}
+
+
+@pytest.mark.parametrize("where", HALF_WRITTEN)
+def test_kill_in_mid_export_leaves_what_was_there(tmp_path, where):
+    (tmp_path / "result").write_bytes(b"before")
+    code = "import os, sys, time\nfrom pathlib import Path\ndef wait(): print('half', flush=True); time.sleep(60)\n"
+    process = subprocess.Popen([sys.executable, "-c", code + HALF_WRITTEN[where]], cwd=tmp_path, stdout=subprocess.PIPE)
+    assert process.stdout.readline() == b"half\n"
+    process.kill()
+    process.communicate(timeout=20)
+    assert (tmp_path / "result").read_bytes() == b"before"

@@ -2,35 +2,18 @@
 
 from fractions import Fraction
 
-import flint
 import pytest
-from flint import arb
 from hypothesis import example, given
-from plane_paths import agree, overlap
+from plane_paths import agree
 from strategies import fewer, plane_scenes
 
-from numerics import Force, Pair, Piece, Scene, State, solve
-from numerics.errors import EventUndecided, NumericsError
+from numerics import Force, Piece, solve
+from numerics.arithmetic.ball import Ball
+from numerics.errors import NumericsError
 from numerics.plane.solve import followed
 from numerics.scene.plane import PlanePair, PlaneScene
 
 LIMITS = {"max_events": 1000, "progress": None}
-
-
-def test_without_couplings_every_axis_is_the_pair_of_the_paper_digit_for_digit():
-    pair = PlanePair(1, ["0.5", 1], [200, 120], ["0.5", "0.2"], shape="box")
-    scene = PlaneScene(pair, 2, x1=["0.02", "0.01"], v1=["0.1", "-0.2"], x2=[0, 1])
-    found = solve(scene, digits=20)
-    axes = [
-        Scene(Pair(1, "0.5", 200, "0.5"), State("0.02", "0.1"), 2),
-        Scene(Pair(1, 1, 120, "0.2"), State("0.01", "-0.2", 1), 2),
-    ]
-    lines = [solve(one, digits=20, arithmetic="ball") for one in axes]
-    with found.context():
-        times = sorted((event.t for line in lines for event in line.events), key=float)
-        assert len(times) > 5
-        assert overlap(found.event_times, times)
-        assert overlap(found.final_state, [*zip(*(line.final_state for line in lines), strict=True)])
 
 
 @given(plane_scenes(shape="box"))
@@ -53,33 +36,48 @@ def test_both_roads_agree_and_more_digits_stay_in_the_bounds(scene):
         assert agree((found.events, found._points), (high.events, high._points))
 
 
-def test_equal_axes_have_their_events_together():
-    pair = PlanePair(1, 1, 200, "0.5", shape="box")
-    found = solve(PlaneScene(pair, 1, x1="0.02", v1="0.1"), digits=15)
-    assert {one.after for one in found.events} <= {"++", "00", "--"}
-    other = solve(PlaneScene(pair, 1, x1=["0.02", "-0.02"], v1=["0.1", "-0.1"]), digits=15)
-    assert [one.after for one in other.events] == [
-        {"++": "+-", "--": "-+"}.get(one.after, "00") for one in found.events
-    ]
-    x, y = other.final_state.x1
+def test_mirrored_axes_have_their_events_together():
+    scene = PlaneScene(PlanePair(1, 1, 200, "0.5", shape="box"), 1, x1=["0.02", "-0.02"], v1=["0.1", "-0.1"])
+    found = solve(scene, digits=15)
+    assert {one.after for one in found.events} == {"+-", "00", "-+"}
+    x, y = found.final_state.x1
     assert x.overlaps(-y)
 
 
-def test_coupled_axes_with_one_event_time_are_not_decided():
-    pair = PlanePair(1, 1, [[200, 60], [60, 200]], "0.5", shape="box")
-    with pytest.raises(EventUndecided, match="which axis"):
-        solve(PlaneScene(pair, 1, x1="0.02", v1="0.1"), digits=10)
+def uneven(v2, *forces):
+    """Body 1 rests, m2 v2' = -b: slips of v2 = (1, 1.5) m/s end at 1 s."""
+    return PlaneScene(PlanePair([1, 1], [1, 2], [1, 2], [1, 3], shape="box"), 3, v2=v2, force=forces)
 
 
-@pytest.mark.parametrize("coupling", [0, 1])
-@pytest.mark.parametrize("at", ["0.5", "1/3"])
-def test_axes_that_one_jump_lets_go_slip_at_once_and_know_the_load_behind_it(at, coupling):
-    """With couplings and without, and where no binary number is the time of the jump."""
+def let_go(t, coupling):
     pair = PlanePair(1, 1, [[200, coupling], [coupling, 200]], "0.5", shape="box")
-    first = solve(PlaneScene(pair, 1, force=[Force.step(at, 4), Force.step(at, 3)]), digits=12).events[0]
-    assert (first.before, first.after, first.cause) == ("00", "++", "jump")
-    assert [float(x) for x in first.load] == [2, 1.5]
-    assert first.t.overlaps(arb(flint.fmpq(*Fraction(at).as_integer_ratio())))
+    return PlaneScene(pair, 1, force=[Force.step(t, 4), Force.step(t, 3)])
+
+
+PUSH, PULL, JUMP = Force([Piece(0, [-1])]), Force([Piece(0, [-3])]), Force([Piece(0, [-3]), Piece("1/3", [5])])
+AT_ONCE = {
+    "a jump lets go of both": (let_go("0.5", 0), "00 ++ 1/2 jump", "2 1.5"),
+    "a jump lets go of both, at no binary number": (let_go("1/3", 0), "00 ++ 1/3 jump", "2 1.5"),
+    "a jump lets go of both, which are coupled": (let_go("1/3", 1), "00 ++ 1/3 jump", "2 1.5"),
+    "both stop": (uneven([1, "1.5"], PUSH, PULL), "-- 00 1 guard", "-0.5 -2"),
+    "one stops a little later": (uneven([1, "1.500000000001"], PUSH, PULL), "-- 0- 1 guard", "-0.5 -2"),
+    "one stops, and a jump lets go of the other": (uneven([1, 0], PUSH, Force.step(1, 9)), "-0 0+ 1 jump", "-0.5 6"),
+    "one stops where there is a jump in which the other slips on": (
+        uneven(["1/3", 9], PUSH, JUMP),
+        "-- 0- 1/3 guard",
+        "-0.5 -2 -0.5 3.33",  # its load is that before and that behind
+    ),
+}
+
+
+@pytest.mark.parametrize("name", AT_ONCE)
+def test_what_happens_at_one_time_that_is_known_exactly_is_one_event(name):
+    scene, said, loads = AT_ONCE[name]
+    found = solve(scene, digits=20)
+    first, (before, after, t, cause) = found.events[0], said.split()
+    assert (*found.modes[:2], first.cause) == (before, after, cause)
+    assert first.t.overlaps(Ball.number(Fraction(t)))
+    assert all(first.load[k % 2].contains(float(load)) for k, load in enumerate(loads.split()))
 
 
 @pytest.mark.parametrize(("v", "modes"), [("0.1", ["-0", "00"]), ("-0.1", ["00", "+0"])])
@@ -87,35 +85,6 @@ def test_a_coupled_axis_that_begins_exactly_on_the_edge_leaves_it_the_way_its_lo
     pair = PlanePair(1, 1, [[100, 1], [1, 100]], "0.5", shape="box")
     found = solve(PlaneScene(pair, "0.6", x1=["0.01", 0], v1=[v, 0], v2=[v, 0]), digits=15)
     assert [*found.modes[:2]] == modes
-
-
-@pytest.mark.parametrize("off", [0, "1e-12"])
-def test_axes_with_other_data_may_stop_at_one_time_that_is_known_exactly(off):
-    """Body 1 rests, m2 v2' = -b: both slips end at 1 s = m2 v2/b, or one of them a little later."""
-    pair = PlanePair([1, 1], [1, 2], [1, 2], [1, 3], shape="box")
-    push = [Force([Piece(0, [-1])]), Force([Piece(0, [-3])])]
-    found = solve(PlaneScene(pair, 3, v2=[1, Fraction("1.5") + Fraction(off)], force=push), digits=20)
-    assert found.modes == (("--", "0-", "00") if off else ("--", "00"))
-    assert found.events[0].t == 1
-
-
-@pytest.mark.parametrize("order", [1, -1])
-def test_an_event_that_is_in_part_due_to_a_jump_is_due_to_it(order):
-    """One axis comes to rest at 1 s by itself, and the force on the other jumps then."""
-    push = [Force([Piece(0, [-1])]), Force.step(1, 9)][::order]
-    scene = PlaneScene(PlanePair(1, 1, 1, 1, shape="box"), "1.5", v2=[1, 0][::order], force=push)
-    first = solve(scene).events[0]
-    assert (first.t, first.before, first.after, first.cause) == (1, "-0"[::order], "0+"[::order], "jump")
-
-
-def test_a_load_where_a_force_may_just_have_changed_is_that_before_and_that_behind():
-    """Axis 0 stops at 1/3 s, no binary number, by itself; the force on axis 1 jumps then, which slips on."""
-    pair = PlanePair([1, 1], [1, 1], [1, 2], [1, 3], shape="box")
-    force = [Force([Piece(0, [-1])]), Force([Piece(0, [-3]), Piece("1/3", [5])])]
-    first = solve(PlaneScene(pair, 1, v2=["1/3", 9], force=force), digits=20).events[0]
-    assert (first.before, first.after, first.cause) == ("--", "0-", "guard")
-    assert first.load[1].contains(-1.5)
-    assert first.load[1].contains(2.5)
 
 
 @pytest.mark.parametrize("off", ["1e-9", "1e-14", "1e-22"])

@@ -8,16 +8,9 @@ import numpy as np
 import pytest
 
 from numerics import load_scene, solve
-from numerics.__main__ import main
 from numerics.plane.trajectory import PlaneTrajectory
-from numerics.scene.file import parse_scene, scene_text
+from numerics.scene.file import parse_scene, scene_text, shipped_scenes
 from numerics.scene.plane import PlanePair, PlaneScene
-
-PAIR = PlanePair(1, 1, [200, 120], ["0.5", "0.3"], shape="box")
-APART = PlaneScene(PAIR, 2, x1=["0.012", 0], v1=["0.1", "-0.2"], x2=[0, "1/3"])
-"""A box without couplings: two motions of the line, which their own archives keep."""
-ROUND = PlaneScene(PlanePair(1, 1, 200, "0.5"), 2, v1=["0.06", "0.01"])
-SCENES = [load_scene("plane-box"), APART, ROUND]
 
 
 @pytest.fixture(scope="module")
@@ -26,9 +19,11 @@ def turning() -> PlaneTrajectory:
     return solve(load_scene("plane-slip-turns"))
 
 
-@pytest.mark.parametrize("scene", [*SCENES, load_scene("plane-slip-turns"), load_scene("plane-rotating-force")])
-def test_a_scene_is_written_as_the_text_of_the_same_scene(scene):
+@pytest.mark.parametrize("name", [name for name in shipped_scenes() if name.startswith("plane-")])
+def test_a_scene_is_written_as_the_text_of_the_same_scene_and_solved(name):
+    scene = load_scene(name)
     assert parse_scene(scene_text(scene)) == scene
+    assert (solve(scene).success, solve(scene).digits) == (True, 15)
 
 
 def test_arrays_and_tuples_are_read_as_lists():
@@ -41,34 +36,24 @@ def test_a_table_has_a_column_for_each_axis_with_its_unit(turning):
     head, *rows = csv.reader(io.StringIO(turning.to_csv()))
     numbers = [name for name in head if "_radius" not in name]
     assert numbers[2:7] == ["t (s)", "cause", "x1_x (m)", "x1_y (m)", "x1_phi (rad)"]
-    assert {"v2_phi (rad/s)", "direction_y", "load_x (N)", "load_phi (N m)", "energy (J)"} <= set(head)
+    assert {"v2_phi (rad/s)", "direction_y", "load_x (N)", "load_phi (N m)", "energy (J)"} <= {*head}
     record = turning.record()
     assert len(rows) == len(record["events"]) + 1
     assert rows[-1][head.index("x2_y (m)")] == record["final"]["x2"][1]
     assert rows[0][head.index("load_x (N)")] == record["events"][0]["load"][0]
 
 
-def test_arrays_and_data_frame_have_the_numbers_of_the_run(turning, tmp_path, capsys):
+def test_arrays_and_data_frame_have_the_numbers_of_the_run(turning, tmp_path, run):
     frame = turning.to_dataframe()
     assert [*frame["mode"]] == [*turning.modes, turning.final_mode]
     assert [*frame["x1_phi"]] == [*turning.floats(turning.y[2])]
     assert turning.mode_at([0, 1]) == [turning.modes[0], turning.final_mode]
-    assert main(["solve", "plane-slip-turns", "--npz", str(tmp_path / "run.npz")]) == 0
+    assert run("solve", "plane-slip-turns", "--npz", tmp_path / "run.npz")[0] == 0
     with np.load(tmp_path / "run.npz") as found:
         assert np.array_equal(found["y"], turning.floats(turning.y))
         assert [*found["modes"]] == [*turning.modes]
-    assert main(["solve", "plane-slip-turns", "--csv", "--explain"]) == 0
-    told = capsys.readouterr()
-    assert told.out == turning.to_csv()
-    assert "working digits" in told.err
-
-
-@pytest.mark.parametrize(
-    "flags", ["--proof F.v", "--sensitivity --json", "--arithmetic mpmath", "--arithmetic float64"]
-)
-def test_what_only_a_line_has_is_refused_in_a_sentence(flags, capsys):
-    assert main(["solve", "plane-circle-merges", *flags.split()]) == 2
-    assert "is available on a line only" in capsys.readouterr().err
+    code, out, told = run("solve", "plane-slip-turns", "--csv", "--explain")
+    assert (code, out, "working digits" in told) == (0, turning.to_csv(), True)
 
 
 def test_a_run_that_was_cut_off_is_drawn_to_its_end():

@@ -1,7 +1,7 @@
 """Errors planted at the start of a path: all motions that begin as near are in what is said, or it is in doubt."""
 
 import math
-from contextlib import contextmanager
+from contextlib import suppress
 from fractions import Fraction
 
 import pytest
@@ -30,12 +30,7 @@ def moved(scene, name, axis, by):
     weights = {"x1": [row[k] for k, row in enumerate(scene.pair.a2)], "v1": scene.pair.m1, "v2": scene.pair.m2}
     given = list(getattr(scene, name))
     given[axis] += Fraction(by / math.sqrt(weights[name][axis]))
-    return changed(scene, **{name: given})
-
-
-def changed(scene, **new):
-    parts = {name: getattr(scene, name) for name in ("x1", "v1", "x2", "v2", "until", "force", "friction")}
-    return PlaneScene(scene.pair, **(parts | new))
+    return scene.replace(**{name: given})
 
 
 @pytest.mark.parametrize(("scene", "off"), [(BOX, 1e-9), (ELLIPSE, 1e-13), (ROUND, 1e-13)])
@@ -52,7 +47,7 @@ def test_an_event_that_may_come_before_or_after_a_jump_is_in_doubt(scene, off):
     first = said(scene, off)[0][0]
     late = Fraction(float(first.t.rad()))
     for part in (-300, Fraction(-1, 2), Fraction(1, 2)):
-        jump = changed(scene, friction=[(Fraction(float(first.t.mid())) + part * late, "0.45")])
+        jump = scene.replace(friction=[(Fraction(float(first.t.mid())) + part * late, "0.45")])
         if part < -1:
             assert said(jump, off)
         else:
@@ -74,44 +69,12 @@ def test_an_end_right_after_the_beginning_of_another_slip_is_in_doubt(after, is_
 
 def test_where_a_slip_ends_with_a_load_that_may_just_be_outside_is_in_doubt():
     """The load of axis 0 falls at 200 N/s and is 7e-8 N inside when the slip ends, which is known to 7e-10 s."""
-    pair = PlanePair(1, 1, [[200, 1], [1, 200]], "0.5", shape="box")
-
-    def ends(push):
-        force = [Force([Piece(0, [push, -400])])]
-        return PlaneScene(pair, "0.002", v1=["0.0018", "0.5"], force=force)
-
-    def missed(push):
-        """By how much the load at the end of the slip is not where it is to be."""
-        return Fraction(float(said(ends(push))[0][0].load[0].mid())) - Fraction(-1, 2) - Fraction(7, 10**8)
-
-    push, before = Fraction("-0.6"), Fraction("-0.59")
-    for _ in range(4):
-        found, gap = missed(push), push - before
-        push, before = push - found * gap / (found - missed(before)), push
-    assert said(ends(push))[0][0].after == "0+"
+    pair, push = PlanePair(1, 1, [[200, 1], [1, 200]], "0.5", shape="box"), Force([Piece(0, ["-0.599176573941", -400])])
+    scene = PlaneScene(pair, "0.002", v1=["0.0018", "0.5"], force=[push])
+    first = said(scene)[0][0]
+    assert (first.after, float(first.load[0]) + 0.5) == ("0+", pytest.approx(7e-8, rel=1e-5))
     with pytest.raises(EventUndecided, match="where the slip ends"):
-        said(ends(push), 1e-9)
-
-
-def test_when_a_stick_ends_is_off_as_much_as_the_worst_start_makes_it_and_not_much_more():
-    """w = M2 (M1+M2)^-1 B^-2 Lam: q1 by -w and v by -(M1+M2)^-1 A1 w move |B^-1 Lam|^2 most."""
-    a1, a2 = [[30, 10], [10, 20]], [[200, 60], [60, 120]]
-    pair, rising = PlanePair([1, 2], ["0.5", 1], a2, ["0.5", "0.05"], a1), [Force([Piece(0, ["0.38", 20])])]
-    scene, off = PlaneScene(pair, "0.05", x1=["-0.006", "0.0028"], force=rising), 1e-9
-    said_of = said(scene, off)[0][0]
-    w = [float(load.mid()) / 3 / float(b) ** 2 for load, b in zip(said_of.load, pair.b, strict=True)]
-    damped = [sum(a * x for a, x in zip(row, w, strict=True)) for row in a1]
-    slow = [x / m for x, m in zip(damped, (1.5, 3), strict=True)]
-    size = sum(a * x * y for row, x in zip(a2, w, strict=True) for a, y in zip(row, w, strict=True))
-    part = off / math.sqrt(size + sum(x * y for x, y in zip(slow, damped, strict=True)))
-
-    def shift(side):
-        v = [Fraction(-side * part * x) for x in slow]
-        x1 = [x - Fraction(side * part * y) for x, y in zip(scene.x1, w, strict=True)]
-        (event,), *_ = said(changed(scene, x1=x1, v1=v, v2=v))
-        return float(abs(event.t.mid() - said_of.t.mid()) / said_of.t.rad())
-
-    assert 0.25 < shift(1) < 1
+        said(scene, 1e-9)
 
 
 @pytest.mark.parametrize(
@@ -143,19 +106,6 @@ def test_with_a_damper_a_slip_from_the_edge_is_not_sure_for_long():
         assert not run.leaves(normal, arb(1e-4), 2)
 
 
-@contextmanager
-def expanded_with(spoil):
-    """A patch by which the series of slips are spoiled before a step takes them."""
-
-    def wrong(table, *given):
-        expand(table, *given)
-        spoil(table)
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(series, "expand", wrong)
-        yield
-
-
 @fewer(2)
 @given(st.integers(0, 40), st.none() | st.integers(0, 27), st.integers(-70, 20))
 @example(0, None, -40)  # s
@@ -163,15 +113,13 @@ def expanded_with(spoil):
 def test_wrong_digits_of_a_series_are_in_the_bound_or_end_in_doubt(row, k, power):
     """A series proves nothing: wrong numbers make bounds larger, steps shorter, or the end undecided."""
 
-    def spoil(table):
+    def spoilt(table, *given):
+        expand(table, *given)
         row_of = table[row % len(table)]
         for j in range(len(row_of)) if k is None else [k]:
             row_of[j] = row_of[j] * (1 + 2.0**power)
 
     right = said(ELLIPSE)
-    with expanded_with(spoil):
-        try:
-            found = said(ELLIPSE)
-        except (EventUndecided, NotSettled):
-            return
-    assert agree(found, right)
+    with pytest.MonkeyPatch.context() as patch, suppress(EventUndecided, NotSettled):
+        patch.setattr(series, "expand", spoilt)
+        assert agree(said(ELLIPSE), right)

@@ -1,20 +1,14 @@
 """A rotating force, in closed form, against runs; permanent stick; what the commands print about a surface."""
 
-import json
-
 import pytest
 from flint import acb, arb
 
 from numerics import Force, solve, thresholds
-from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.control.rotating import rotating_response
-from numerics.errors import InvalidScene
-from numerics.scene.file import load_scene, shipped_scenes
 from numerics.scene.plane import PlanePair, PlaneScene
 
 PAIR = PlanePair(1, 1, 200, "0.2", 20)
-SURFACES = [name for name in shipped_scenes() if name.startswith("plane-")]
 
 
 def turning(amplitude):
@@ -63,26 +57,12 @@ def test_a_pair_without_a_damper_is_attracted_but_at_two_frequencies():
     assert rotating_response(pair, 9, 4).attracts
     assert not rotating_response(pair, 9, 5).attracts
     assert not rotating_response(pair, "0.2", 4).attracts  # stuck, it keeps a free oscillation
-    with pytest.raises(InvalidScene, match="resonance"):
-        rotating_response(pair, 9, 10)
 
 
-def test_the_commands_know_a_surface(capsys, tmp_path):
-    assert main(["solve", "plane-circle-merges", "--digits", "12", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
-    (event,) = found["events"]
-    assert (event["from"], event["to"], len(event["x1"]), len(event["load"])) == ("slip", "stick", 2, 2)
-    assert len(event["x1_radius"]) == len(found["final"]["v2"]) == 2
-    assert main(["response", "plane-rotating-force", "--plot", str(tmp_path / "a.svg")]) == 0
-    assert (tmp_path / "a.svg").exists()
-    assert "0.0800000000000000" in capsys.readouterr().out
-    for wrong in ("energy plane-box --at 1", "ring plane-box --radius 1"):
-        assert main(wrong.split()) == 2
-        assert "surface" in capsys.readouterr().err
-
-
-def test_every_shipped_surface_is_solved_and_one_drawn(tmp_path):
-    assert len(SURFACES) == 5
-    assert all(one.success and one.digits == 15 for one in map(solve, map(load_scene, SURFACES)))
-    assert main(["solve", "plane-circle-merges", "--digits", "8", "--plot", str(tmp_path / "a.svg")]) == 0
-    assert (tmp_path / "a.svg").stat().st_size > 10_000
+def test_the_commands_know_a_surface(output, record, tmp_path):
+    (event,) = record("solve", "plane-circle-merges", "--digits", 12)["events"]
+    assert (event["from"], event["to"]) == ("slip", "stick")
+    assert [len(event[name]) for name in ("x1", "x1_radius", "load")] == [2, 2, 2]
+    assert "0.0800000000000000" in output("response", "plane-rotating-force", "--plot", tmp_path / "a.svg")
+    output("solve", "plane-circle-merges", "--digits", 8, "--plot", tmp_path / "b.svg")
+    assert [one.stat().st_size > 10_000 for one in tmp_path.iterdir()] == [True, True]

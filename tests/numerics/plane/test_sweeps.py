@@ -26,9 +26,8 @@ needs_joblib = pytest.mark.skipif(not find_spec("joblib"), reason="joblib is not
 @fewer(5)
 @given(st.lists(plane_scenes(), max_size=3))
 def test_each_row_is_what_solve_says_of_its_scene(drawn):
-    scenes = [*drawn, *PUSHED[:1]]
-    scenes = [one for one in scenes if one.pair.axes == scenes[0].pair.axes]
-    found, keep = solve_scenes(scenes, keep_events=2, jobs=1), 2
+    scenes = [one for one in [*drawn, PUSHED[0]] if one.pair.axes == [*drawn, PUSHED[0]][0].pair.axes]
+    found = solve_scenes(scenes, keep_events=2, jobs=1)
     for row, scene in enumerate(scenes):
         if found.status[row] in {Status.SEQUENCE_OPEN, Status.OUT_OF_RANGE}:
             with pytest.raises(NumericsError) as refused:
@@ -38,7 +37,7 @@ def test_each_row_is_what_solve_says_of_its_scene(drawn):
             continue
         one = solve(scene)
         assert (found.status[row], found.mode[row], found.digits[row]) == (one.status, one.final_mode, one.digits)
-        assert found.event_mode[row].tolist()[len(one.events) :] == [""] * (keep - len(one.events))
+        assert not any(found.event_mode[row][len(one.events) :])
         with one.context():
             for _, x, bound, true in row_numbers(found, row, one):
                 assert distance(x, true).upper() <= bound < 1e-12 * max(1, abs(x))
@@ -89,6 +88,5 @@ def test_a_sweep_is_drawn():
     ax = found.plot("events", along=[1, 2, 3])
     assert ax.lines[0].get_ydata().tolist() == found.events.tolist()
     starts = [PlaneScene(PAIR, "0.1", x1=[x, 0]) for x in ("0.012", "0.002")]
-    ax = solve_scenes(starts, jobs=1).plot()
-    assert ax.get_xlabel() == "x1 x (m)"
+    assert solve_scenes(starts, jobs=1).plot().get_xlabel() == "x1 x (m)"
     pyplot.close("all")
