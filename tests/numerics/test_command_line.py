@@ -108,7 +108,7 @@ move at-rest --distance 1 --out no/where.toml
 move at-rest --distance 0.01 --least energy | --least energy or peak and --time go together
 move at-rest --distance 0.01 --time 1 | --least energy or peak and --time go together
 move at-rest --distance 0.01 --least energy --time 1 --amplitude 1 | --amplitude is for the least time
-move at-rest --distance 0.01 --least energy --time 0.1 | as no transfer is faster; give more time
+move at-rest --distance 0.01 --least energy --time 0.1 | as no transfer that keeps the margin is faster; give more time
 damping at-rest --tolerance -1e-3 | must be
 energy velocities --at -1e2 | must be
 track at-rest --reference none-such

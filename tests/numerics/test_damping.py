@@ -50,7 +50,7 @@ def test_a_pair_that_starts_in_stick_may_slip_with_more_damping(a1, slips):
         (MOVING, 1e-6),
         (MOVING.replace(x1="-0.0005"), 1e-6),
         (FIGURE, 1e-6),
-        (MOVING.replace(x1="0.001"), 1e-6),
+        (FIGURE.replace(x1="0.001"), 1e-6),
         (MOVING.replace(x1="-0.001"), 1e-3),  # as the root of 1/a1
     ],
 )
