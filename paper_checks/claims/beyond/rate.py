@@ -104,5 +104,4 @@ def rate_bounds_explicit() -> Case:
         """,
         depth_over_excess,
         one_step,
-        figure="rate-bounds",
     )

@@ -241,5 +241,4 @@ def return_map_expansion() -> Case:
         carried("remainder", lost),
         carried("time", kernel.step("cycle-time-exact"), cycle_time),
         coefficients,
-        figure="return-map",
     )

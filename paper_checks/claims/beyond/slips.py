@@ -284,7 +284,6 @@ def excursion_closed_form() -> Case:
         turns_back,
         exits_twice_by(Fraction(1, 5), Fraction(1, 10), same=False),
         exits_twice_by(Fraction(1, 5), Fraction(15), same=True),
-        figure="excursion-curves",
     )
 
 
@@ -329,5 +328,4 @@ def excursion_monotone() -> Case:
         depth_grows,
         one_contact,
         *landings()[3:],
-        figure="excursion-curves",
     )
