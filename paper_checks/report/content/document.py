@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,6 +20,12 @@ TITLE = f"{source.TITLE}: its claims, checked"
 ROWS = "rows"
 """The anchor of the list of claims."""
 FRONT = ("pair", "fails", "results", "trust")
+CHAPTERS = ("derivation", "new", "not-judged", "questions", "open")
+OF_ALL_CLAIMS: dict[str, Callable[[Trade], dict[str, Any]]] = {
+    "under-a-force": lambda _: force.given(),
+    "speed-and-accuracy": speed.given,
+}
+"""Chapters of a page on all claims, and what they need."""
 BEHIND = ("kernel", "notation", "provenance")
 
 
@@ -51,14 +57,12 @@ class Document:
 
 def document(rows: Sequence[Row], trade: Trade | None = None) -> Document:
     """Return the page on these rows; with a trade, on all claims, it has the chapters on forces and on speed."""
-    whole = {"under-a-force": force.given, "speed-and-accuracy": lambda: speed.given(trade)} if trade else {}
     given = _given(rows) | {"answers": [*speed.answers(trade)] if trade else []}
-    names = ("derivation", "new", "not-judged", "questions", "open")
-    chapters = [section(chapter(name, **given)) for name in names]
-    chapters += [section(chapter(name, **given, **more())) for name, more in whole.items()]
-    chapters += [section(chapter(name, **given)) for name in BEHIND]
+    more = {name: of(trade) for name, of in OF_ALL_CLAIMS.items()} if trade else {}
+    names = (*CHAPTERS, *more, *BEHIND)
+    chapters = [section(chapter(name, **given, **more.get(name, {}))) for name in names]
     front = tuple(filter(None, (section(chapter(name, **given)) for name in FRONT)))
-    claims = {row.claim.id: Section(row.claim.id, "", tuple(told(row))) for row in rows}
+    claims = {row.claim.id: Section(row.claim.id, "", tuple(told(row, page=True))) for row in rows}
     return Document(front, tuple(rows), claims, tuple(filter(None, chapters)))
 
 
@@ -76,9 +80,9 @@ def paper(rows: Sequence[Row]) -> Document:
     return Document(tuple(filter(None, [before])), tuple(rows), {}, tuple(filter(None, map(section, texts))))
 
 
-def told(row: Row) -> list[Block]:
-    """Return what is told of a claim, by itself."""
-    return read(chapter("claim", row=row, story=story, number=number, carried=lines_of(row.claim.id)))
+def told(row: Row, *, page: bool = False) -> list[Block]:
+    """Return what is told of a claim, by itself or on the page."""
+    return read(chapter("claim", page=page, row=row, story=story, number=number, carried=lines_of(row.claim.id)))
 
 
 def _given(rows: Sequence[Row], *, paper: bool = False) -> dict[str, Any]:

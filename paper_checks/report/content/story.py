@@ -8,6 +8,7 @@ from itertools import count
 
 from paper_checks.decide import kernel
 from paper_checks.decide.exhibit import ENGINE as EXHIBITED
+from paper_checks.derivation.line import number_in
 from paper_checks.evidence.claim import Claim, Kind
 from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
@@ -138,6 +139,11 @@ def steps(row: Row) -> dict[Evidence, str]:
         for step in found
         if step.statement != row.finding.reason
     }
+
+
+def in_chapter(step: Evidence) -> bool:
+    """Return whether a step stands in a chapter of the page: a theorem of the kernel, or a line of the derivation."""
+    return step.kind is EvidenceKind.KERNEL or number_in(step) is not None
 
 
 def named(some: Iterable[Evidence], names: Mapping[Evidence, str]) -> str:

@@ -85,17 +85,23 @@ def _no_kernel(rows: Sequence[Row]) -> str:
 
 def print_claims(console: Console, claims: Sequence[Claim]) -> None:
     """Print the claims with the verdict on record and the place in the paper."""
-    table = _empty_table("claim", "recorded", "where")
+    table = _empty_table("claim", "recorded")
+    table.add_column("where")
     for claim in claims:
-        table.add_row(claim.id, _coloured(claim.recorded), claim.where)
+        table.add_row(claim.id, _coloured(claim.recorded), _cut(claim.where))
     console.print(table)
 
 
 def _empty_table(*titles: str) -> Table:
     table = Table(box=None, pad_edge=False, header_style="bold")
     for title in titles:
-        table.add_column(title, no_wrap=True, overflow="ellipsis")
+        table.add_column(title, no_wrap=True)
     return table
+
+
+def _cut(text: str) -> Text:
+    """Return text that keeps to one line, however narrow its column is."""
+    return Text(text, no_wrap=True, overflow="ellipsis")
 
 
 def _coloured(verdict: Verdict) -> Text:
@@ -110,14 +116,15 @@ def _table(rows: Sequence[Row], width: int, times: bool) -> Table:
     reasons = width >= ROOM_FOR_REASONS
     table = _empty_table(*titles)
     if places:
-        table.add_column("where", ratio=1, no_wrap=True, overflow="ellipsis")
+        table.add_column("where", ratio=1)
     if reasons:
         table.add_column("reason", ratio=3)
     if times:
         table.add_column("seconds", justify="right", no_wrap=True)
     for row in rows:
-        cells = [row.claim.where] * places + [plain(in_short(row))] * reasons + [f"{row.seconds:.1f}"] * times
-        table.add_row(row.claim.id, _coloured(row.finding.verdict), kind(row), *map(Text, cells))
+        cells = [_cut(row.claim.where)] * places + [Text(plain(in_short(row)))] * reasons
+        cells += [Text(f"{row.seconds:.1f}")] * times
+        table.add_row(row.claim.id, _coloured(row.finding.verdict), kind(row), *cells)
     return table
 
 
