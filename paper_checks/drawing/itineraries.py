@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -19,26 +18,24 @@ PARTS = {
     Mode.SLIP_MINUS: (r"in $\Omega_-$ ($v_1<v_2$)", "--"),
     Mode.STICK: ("in $S_0$", "-"),
 }
-MERGING = {"O": (6, 8), "A": (8, 3)}
-CREEPING = {
-    "O_1": (-19, 2), "A_1": (8, 4), "B_1": (-16, -10), "A_2": (-1, 8), "C_1": (7, 2), "B_2": (5, -13), "D_1": (-18, 2),
-    "A_3": (3, -14), "O_2": (-5, -17),
-}  # fmt: skip
-"""The names of start, events and end in their order, and how far from its point each is written, points."""
 
 
 def itinerary_that_merges() -> Figure:
     """Draw a trajectory that enters S0 once and merges with an orbit of E < E_cr."""
-    return _draw(solved("itinerary-that-merges", Fraction("1.5")), MERGING, "(a) enters $S_0$ and merges with an orbit of $E<E_{cr}$")
+    return _draw(
+        solved("itinerary-that-merges", Fraction("1.5")),
+        "O A",
+        "(a) enters $S_0$ and merges with an orbit of $E<E_{cr}$",
+    )
 
 
 def itinerary_that_creeps() -> Figure:
     """Draw O1 -> A1 -> B1 -> A2 -> C1 -> B2 -> D1 -> A3 -> O2."""
     title = "(b) crosses $S$ twice, then sticks and slips towards $E=E_{cr}$"
-    return _draw(solved("itinerary-that-creeps", Fraction("1.1")), CREEPING, title)
+    return _draw(solved("itinerary-that-creeps", Fraction("1.1")), "O_1 A_1 B_1 A_2 C_1 B_2 D_1 A_3 O_2", title)
 
 
-def _draw(trajectory: Trajectory, names: Mapping[str, tuple[int, int]], title: str) -> Figure:
+def _draw(trajectory: Trajectory, names: str, title: str) -> Figure:
     figure, axes = panels(6.6, 5.0)
     pair = trajectory.scene.pair
     half, rate = MM * float(pair.half_width), float(pair.a2 / pair.mass) ** 0.5
@@ -63,14 +60,15 @@ def _draw(trajectory: Trajectory, names: Mapping[str, tuple[int, int]], title: s
     return figure
 
 
-def _name_points(axes: Axes, trajectory: Trajectory, names: Mapping[str, tuple[int, int]]) -> None:
-    """Mark and name the start, the events, and the end where it has a name."""
+def _name_points(axes: Axes, trajectory: Trajectory, names: str) -> None:
+    """Mark and name the start, the events in their order, and the end where it has a name."""
     states = [trajectory.y[:, 0], *(event.y for event in trajectory.events), trajectory.y[:, -1]]
     kinds = [None, *trajectory.event_kinds, None]
-    for (name, offset), kind, y in zip(names.items(), kinds, states, strict=False):
+    for name, kind, y in zip(names.split(), kinds, states, strict=False):
         look = marker_style(kind) if kind else {"marker": "s", "color": "black", "zorder": 5}
         axes.plot(*_projected(y), linestyle="none", label=kind.value if kind else None, **look)
-        axes.annotate(f"${name}$", _projected(y), xytext=offset, textcoords="offset points", fontsize=11, zorder=6)
+        white = {"fc": "white", "ec": "none", "alpha": 0.75, "pad": 0.5}
+        axes.annotate(f"${name}$", _projected(y), xytext=(8, 6), textcoords="offset points", bbox=white, zorder=6)
 
 
 def _projected(y: Any) -> tuple[Any, Any]:

@@ -39,7 +39,12 @@ def merging_window() -> Figure:
         axes.axhline(share, color=colour, lw=1.2, ls=dashes, label=label)
         if share > CRITICAL_SHARE:
             axes.fill_between(angles, ratio, share, where=(ratio < share).tolist(), color="#f3c9a8", lw=0)
-    axes.set(xlabel=r"slip angle $\theta$ (dimensionless)", ylabel="$R^2$ and $r$ (dimensionless)", xlim=(1, 5.6), ylim=(0.3, 1.6))
+    axes.set(
+        xlabel=r"slip angle $\theta$ (dimensionless)",
+        ylabel="$R^2$ and $r$ (dimensionless)",
+        xlim=(1, 5.6),
+        ylim=(0.3, 1.6),
+    )
     axes.legend()
     return figure
 

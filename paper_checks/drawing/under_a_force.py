@@ -54,9 +54,8 @@ def resonance() -> Figure:
         ax.plot(t, y[3], color=BODY_2, lw=0.9, ls="--", label="$v_2$")
         rate = (float(amplitude) - EDGE) / (2 * float(RESONANT.m1))
         if rate > 0:
-            for side in (1, -1):
-                label = r"$(U-4b/\pi)\,t/(2m_1)$" if side > 0 else None
-                ax.plot(t, side * rate * t, color="black", lw=0.8, ls=":", label=label)
+            label = [r"$(U-4b/\pi)\,t/(2m_1)$", "_"]
+            ax.plot(t, np.outer(t, (rate, -rate)), color="black", lw=0.8, ls=":", label=label)
         ax.set(xlabel="$t$ (s)", ylabel="velocity (m/s)", title=f"$U={amplitude}$ N, $4b/\\pi={EDGE:.4f}$ N")
     _draw_third_root(at_edge)
     for ax in (below, above, at_edge):
@@ -67,20 +66,16 @@ def resonance() -> Figure:
 def _draw_third_root(ax: Axes) -> None:
     """Draw |A| period by period at U = 4b/pi: of a sine alone, and with a part at half its frequency beside it."""
     omega, times = float(RESONANT.a2 / RESONANT.m1) ** 0.5, 0.4 * np.pi * np.geomspace(1, 400, 60).round()
-    for push, colour in ((0, BODY_2), ("0.5", BODY_1), (1, "black")):
+    growth = critical.growth_by_one_part().subs(
+        {critical.order: Fraction(1, 2), natural: omega, m1: RESONANT.m1, b: RESONANT.b}
+    )
+    for push, colour in ((Fraction(0), BODY_2), (Fraction(1, 2), BODY_1), (Fraction(1), "black")):
         force = Force([Piece(0, (), [Sine(EDGE, 10, 0), Sine(push, 5, "0.3")])])
         run = solve(Scene(RESONANT, State(), until=510, force=force), t_eval=times, max_events=4_000)
-        name = f"$p={push}$ N" if push else "the sine alone"
-        ax.loglog(times, np.hypot(run.y[1], omega * run.y[0]), color=colour, label=name)
+        size = np.hypot(run.y[1], omega * run.y[0])
+        ax.loglog(times, size, color=colour, label=f"$p={float(push):g}$ N" if push else "the sine alone")
         if push:
-            known = {
-                critical.push: push,
-                critical.order: Fraction(1, 2),
-                natural: omega,
-                m1: RESONANT.m1,
-                b: RESONANT.b,
-            }
-            limit = float(critical.growth_by_one_part().subs(known))
+            limit = float(growth.subs(critical.push, push))
             ax.loglog(times, (limit * times) ** (1 / 3), color=colour, lw=0.8, ls=":")
     ax.set(xlabel="$t$ (s)", ylabel="$|A|$ (m/s)", title=r"$U=4b/\pi$, beside it $p\,\sin(\omega_1t/2+0.3)$")
 

@@ -37,7 +37,6 @@ class Document:
     rows: tuple[Row, ...]
     claims: Mapping[str, Section]
     chapters: tuple[Section, ...]
-    title: str = TITLE
 
     @property
     def sections(self) -> tuple[Section, ...]:
@@ -88,16 +87,12 @@ def told(row: Row, *, page: bool = False) -> list[Block]:
 def _given(rows: Sequence[Row], *, paper: bool = False) -> dict[str, Any]:
     """Return what the chapters know."""
 
-    def of_paper(verdict: str) -> list[Row]:
-        return [row for row in rows if row.claim.kind is Kind.CLAIM and row.finding.verdict.value == verdict]
-
     return {
         "paper": paper,
         "rows": rows,
         "claims": {row.claim.id: row for row in rows},
         "recorded": {row.claim.id: row for row in rows if row.as_recorded},
         "theorems": [row for row in rows if row.claim.kind is Kind.THEOREM],
-        "of_paper": of_paper,
         "free": FREE,
         "say": phrases,
         "story": story,

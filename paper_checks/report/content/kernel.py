@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
@@ -33,7 +33,7 @@ def given(rows: Sequence[Row]) -> dict[str, Any]:
     definitions = {name: text for one in shown for name, text in recorded().definitions_of[one].items()}
     return {
         "proved": dict(sorted(users.items())),
-        "axioms": _axioms(dict.fromkeys(steps)),
+        "axioms": Counter(axiom for step in dict.fromkeys(steps) for axiom in step.assumptions),
         "definitions": dict(sorted(definitions.items())),
         "record": recorded(),
         "undamped": undamped,
@@ -47,15 +47,3 @@ def undamped(statement: str) -> bool:
     (True, False)
     """
     return bool(_WITHOUT_DAMPER.search(statement))
-
-
-def _axioms(steps: Iterable[Evidence]) -> str:
-    """Say what the kernel takes for granted."""
-    axioms = Counter(axiom for step in steps for axiom in step.assumptions)
-    most = max(axioms.values(), default=0)
-    common = ", ".join(f"`{axiom}`" for axiom, count in sorted(axioms.items()) if count == most)
-    others = sum(count != most for count in axioms.values())
-    numbers = f"; and, for theorems with computed intervals, {others} axioms of machine integers" if others else ""
-    if axioms:
-        return f"The axioms behind these theorems: {common}{numbers}."
-    return "The proof kernel was not run here: these are the statements as they were last accepted, and its axioms are not listed."

@@ -50,17 +50,14 @@ def answers(trade: Trade) -> Iterator[str]:
 
 
 def told(ratios: Mapping[str, float]) -> str:
-    """Say who wins, from the ratios of scenes: how many times as fast as the peer ours is."""
+    """Say who wins, from the ratios of scenes: how many times as long as ours the peer takes."""
     if not ratios:
         return "No other program was measured."
-    least, middle = min(ratios, key=lambda name: ratios[name]), median(ratios.values())
-    typical = f"in the median {'float64' if middle >= 1 else PEER} is {max(middle, 1 / middle):.3g} times as fast"
-    low, lost, every = ratios[least], sum(one < 1 for one in ratios.values()), len(ratios)
-    if not lost:
-        return (
-            f"On all {every} scenes float64 is faster than {PEER}, by at least {low:.3g} times (on {least}); {typical}."
-        )
-    return f"On {lost} of {every} scenes {PEER} is faster than float64, by up to {1 / low:.3g} times (on {least}); {typical}."
+    won, least = sum(one > 1 for one in ratios.values()), min(ratios, key=lambda name: ratios[name])
+    return (
+        f"float64 is faster than {PEER} on {won} of {len(ratios)} scenes: {PEER} takes {median(ratios.values()):.3g} times as "
+        f"long in the median, and {ratios[least]:.3g} times where it is best (on {least})."
+    )
 
 
 def figures(trade: Trade) -> Figures:

@@ -108,20 +108,10 @@ def decisive(row: Row) -> Evidence | None:
     )
 
 
-def decided_by(row: Row) -> str | None:
-    """Return what is said of the decisive step; None where nothing is established."""
-    if row.established_by is None:
-        return None
-    step = decisive(row)
-    if step is None:
-        number = len(steps(row))
-        return f"The inference that follows, over {number} checked step{'s' * (number != 1)} ({by(row)})."
-    statement = (step.statement[:1].upper() + step.statement[1:]).rstrip(".")
-    if step.kind is EvidenceKind.KERNEL:
-        statement = f"Theorem `{kernel.name_of(step)}`: {step.statement.partition('): ')[2].rstrip('.')}"
+def shown_value(step: Evidence) -> str:
+    """Return the value of a decisive step that is a number at a point, or a short enclosure; empty for others."""
     shown = step.engine == EXHIBITED or (step.kind is EvidenceKind.ENCLOSURE and len(step.value) < SHORT)
-    value = f": {step.value}" if shown and any(map(str.isdigit, step.value)) else ""
-    return f"{statement}{value} ({step.kind.value}: {', '.join(filter(None, [step.engine, cases(step)]))})."
+    return step.value if shown and any(map(str.isdigit, step.value)) else ""
 
 
 def cases(step: Evidence) -> str:

@@ -13,7 +13,7 @@ from paper_checks.drawing.captions import caption
 from paper_checks.explore import motion, page
 from paper_checks.report.content import phrases, story
 from paper_checks.report.content.blocks import Section
-from paper_checks.report.content.document import Document
+from paper_checks.report.content.document import TITLE, Document
 from paper_checks.report.formats.texts import target, templates
 from paper_checks.report.mathematics import prose
 
@@ -31,7 +31,7 @@ def render(report: Document, figures: Mapping[str, str]) -> dict[str, str]:
     return {
         **{f"figures/{name}.svg": svg for name, svg in drawn.items()},
         EXPLORE: page.page(row.claim.id for row in report.rows),
-        FRONT: text.render(report=report, motion=motion.section(), say=phrases, story=story),
+        FRONT: text.render(report=report, title=TITLE, motion=motion.section(), say=phrases, story=story),
     }
 
 

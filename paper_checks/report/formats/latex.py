@@ -13,7 +13,7 @@ from pathlib import Path
 from paper_checks.drawing.captions import caption
 from paper_checks.errors import ToolMissingError
 from paper_checks.report.content import citation
-from paper_checks.report.content.document import Document
+from paper_checks.report.content.document import TITLE, Document
 from paper_checks.report.formats.texts import target, templates
 from paper_checks.report.mathematics.prose import latex, plain
 
@@ -55,7 +55,7 @@ def render(report: Document, figures: Mapping[str, str]) -> str:
     )
     paper.filters |= {"latex": latex, "shares": shares, "side_by_side": _side_by_side}
     paper.globals |= {"files": figures, "caption": caption, "of_package": citation.of_package}
-    return paper.get_template("report.tex").render(report=report)
+    return paper.get_template("report.tex").render(report=report, title=TITLE)
 
 
 def shares(rows: Sequence[Sequence[str]]) -> list[float]:

@@ -33,8 +33,6 @@ SHOWN_FAILURES, SHOWN_CLAIMS, SHOWN_STATEMENT, SHOWN_VALUE = 5, 4, 240, 120
 """How many failing steps are printed first; of each, so many claims by name, and characters of what it says and found."""
 ROOM_FOR_PLACES = 8
 """Columns that have to be left for the places; in fewer there would be nothing but dots."""
-ROOM_FOR_REASONS = 120
-"""Columns from which on the table carries the reasons too; below, it would fold them into ribbons."""
 
 
 def print_rows(console: Console, rows: Sequence[Row], *, times: bool = False) -> None:
@@ -109,21 +107,17 @@ def _coloured(verdict: Verdict) -> Text:
 
 
 def _table(rows: Sequence[Row], width: int, times: bool) -> Table:
-    """Ids, verdicts and kinds keep their width; places are cut to what is left, or left out; reasons fold."""
+    """Ids, verdicts and kinds keep their width; places are cut to what is left, or left out."""
     titles = "claim", "verdict", "established by"
     lines = [titles, *((one.claim.id, one.finding.verdict.value, kind(one)) for one in rows)]
     places = width - sum(max(map(len, column)) + 2 for column in zip(*lines, strict=True)) >= ROOM_FOR_PLACES
-    reasons = width >= ROOM_FOR_REASONS
     table = _empty_table(*titles)
     if places:
         table.add_column("where", ratio=1)
-    if reasons:
-        table.add_column("reason", ratio=3)
     if times:
         table.add_column("seconds", justify="right", no_wrap=True)
     for row in rows:
-        cells = [_cut(row.claim.where)] * places + [Text(plain(in_short(row)))] * reasons
-        cells += [Text(f"{row.seconds:.1f}")] * times
+        cells = [_cut(row.claim.where)] * places + [Text(f"{row.seconds:.1f}")] * times
         table.add_row(row.claim.id, _coloured(row.finding.verdict), kind(row), *cells)
     return table
 

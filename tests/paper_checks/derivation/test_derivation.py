@@ -34,7 +34,7 @@ def passes(line):
 def test_every_line_is_checked_and_each_fault_in_its_formulas_turns_it(place):
     line = LINES[place - 1]
     assert passes(line)
-    for formula in line.formulas():
+    for formula in line.made():
         wrong = [one for _, one in faults(formula)]
         assert wrong
         assert not [one.latex for one in wrong if passes(replace(line, formulas=lambda one=one: (one,)))]
