@@ -13,6 +13,8 @@ from numerics.scene.file import load_scene
 from numerics.scene.model import Law
 from numerics.scene.pieces import Sine
 
+SCENES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text("utf-8"))
+
 
 @dataclass(frozen=True)
 class ReducedScene:
@@ -59,10 +61,9 @@ def reduced(scene: Scene) -> ReducedScene:
 
 def buttons() -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
     """Return the buttons of `scenes.toml`, the paper's and ours: label, scene, and its units in SI, if it has such."""
-    known = tomllib.loads(Path(__file__).with_suffix(".toml").read_text("utf-8"))
-    paper = [{"label": label, **_of_paper(load_scene(name))} for label, name in known["paper"].items()]
+    paper = [{"label": label, **_of_paper(load_scene(name))} for label, name in SCENES["paper"].items()]
     own = [
-        {"label": label, "scene": asdict(ReducedScene(**scene)), "units": ""} for label, scene in known["own"].items()
+        {"label": label, "scene": asdict(ReducedScene(**scene)), "units": ""} for label, scene in SCENES["own"].items()
     ]
     return paper, own
 

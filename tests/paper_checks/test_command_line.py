@@ -50,11 +50,6 @@ def test_run_is_the_default_and_the_exit_code_tells(small, capsys, arguments, co
         assert [item["id"] for item in json.loads(captured.out)] == ["energy-rate", "stiction-bracket"]
 
 
-def test_a_theorem_is_shown_with_its_hypotheses(capsys):
-    main(["forced-mode-rule"])
-    assert "Hypotheses: m₁,m₂,a₂,b>0. A force u(t) on body 1" in " ".join(capsys.readouterr().out.split())
-
-
 def test_an_unknown_id_gets_one_line_that_suggests(small, capsys):
     assert main(["energy-rat"]) == 2
     captured = capsys.readouterr()

@@ -124,6 +124,7 @@ def test_theorems_are_counted_apart_filtered_listed_and_told_as_ours(rows, theor
     assert ". Of 1 theorem beyond it 1 is proved." in text
     assert {"Section III", "Theorems"} <= {*re.findall(r'data-section="([^"]*)"', text)}
     assert "The limit is one." in text.partition('class="chapter" id="new"')[2]
+    assert "Hypotheses: m₁,m₂,a₂,b>0. No damper" in printed([theorem])
     assert "Theorem: x=1 for all q." in printed([theorem])
 
 
