@@ -59,7 +59,7 @@ def document(rows: Sequence[Row], trade: Trade | None = None) -> Document:
     given = _given(rows) | {"answers": [*speed.answers(trade)] if trade else []}
     more = {name: of(trade) for name, of in OF_ALL_CLAIMS.items()} if trade else {}
     names = (*CHAPTERS, *more, *BEHIND)
-    chapters = [section(chapter(name, **given, **more.get(name, {}))) for name in names]
+    chapters = [section(chapter(name, **given | more.get(name, {}))) for name in names]
     front = tuple(filter(None, (section(chapter(name, **given)) for name in FRONT)))
     claims = {row.claim.id: Section(row.claim.id, "", tuple(told(row, page=True))) for row in rows}
     return Document(front, tuple(rows), claims, tuple(filter(None, chapters)))

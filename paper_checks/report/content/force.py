@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -12,6 +13,7 @@ from numerics.control.ring import ring_entry
 from numerics.control.thresholds import thresholds
 from numerics.control.tracking import track
 from numerics.control.transfer import fastest_transfer
+from numerics.scene import Force
 from numerics.scene.file import load_reference, load_scene
 from paper_checks.decide.enclosure import rounded
 from paper_checks.drawing.under_a_force import DAMPED, DRIVEN, PAIR
@@ -28,6 +30,9 @@ def given() -> dict[str, Any]:
     rest = load_scene("at-rest")
     fastest, attracts = fastest_transfer(rest, "0.001", amplitude="1.08"), response(DRIVEN).multipliers or ()
     assert fastest.least_amplitude is not None  # the half time is below a quarter turn of body 1
+    with_harmonic = replace(DRIVEN, force=DRIVEN.force + Force.sine("0.05", 24, 1))
+    asymmetric = response(with_harmonic).orbit
+    assert asymmetric is not None
     known = {
         letter: sp.Rational(*value.as_integer_ratio()) for letter, value in ((m1, PAIR.m1), (m2, PAIR.m2), (b, PAIR.b))
     }
@@ -42,6 +47,7 @@ def given() -> dict[str, Any]:
         "least_amplitude": rounded(fastest.least_amplitude, 4),
         "entry": rounded(ring_entry(load_scene("velocities"), "0.001", rate=20).entry, 4),
         "multiplier": rounded(100 * max(map(abs, attracts), key=float, default=arb(0)), 1),
+        "drift": rounded(1000 * asymmetric.travel / asymmetric.drive.period, 3),
         "speed": float(SPEED),
         "breaking": sp.N(breaking_damping().subs(known).subs(v1, SPEED), 5),
     }

@@ -13,6 +13,8 @@ from numerics.trade.contenders import BALLS, FLOAT64
 from numerics.trade.figure import draw_trade
 from numerics.trade.recorded import Trade
 from paper_checks.drawing.style import Figures, house_style
+from paper_checks.report.content import phrases
+from paper_checks.report.content.blocks import chapter
 from paper_checks.report.content.phrases import listed
 
 PEER = "heyoka"
@@ -20,10 +22,11 @@ PEER = "heyoka"
 
 
 def given(trade: Trade) -> dict[str, Any]:
-    """Return what the chapter needs beside its answers."""
+    """Return what the chapter needs."""
     ended = [one for one in trade.rows if one.seconds is not None]
     wrong = [one for one in ended if not one.right]
     return {
+        "answers": [*answers(trade)],
         "trade": trade,
         "leads": {scene: lead for scene in trade.scenes if (lead := trade.lead(scene))},
         "ended": ended,
@@ -32,6 +35,11 @@ def given(trade: Trade) -> dict[str, Any]:
         "seconds": seconds_text,
         "error": error_text,
     }
+
+
+def text(trade: Trade) -> str:
+    """Return the chapter, by itself."""
+    return chapter("speed-and-accuracy", say=phrases, **given(trade))
 
 
 def answers(trade: Trade) -> Iterator[str]:

@@ -12,13 +12,6 @@ from paper_checks.claims import CLAIMS
 from paper_checks.report.content import blocks, force, phrases, speed
 from paper_checks.report.formats.html import fragment
 
-
-def told(*rows):
-    """The text of the chapter."""
-    trade = trade_of(*rows)
-    return blocks.chapter("speed-and-accuracy", say=phrases, answers=[*speed.answers(trade)], **speed.given(trade))
-
-
 LINES = {
     "nobody took part": ([], "No other program was measured."),
     "ours wins": (
@@ -60,13 +53,12 @@ LINES = {
 @pytest.mark.parametrize("case", LINES)
 def test_the_chapter_on_speed_says_what_the_record_says(case):
     rows, line = LINES[case]
-    assert line in told(*rows)
+    assert line in speed.text(trade_of(*rows))
 
 
 def test_the_shipped_record_is_told():
     trade = recorded()
-    text = blocks.chapter("speed-and-accuracy", say=phrases, answers=[*speed.answers(trade)], **speed.given(trade))
-    chapter = blocks.section(text)
+    chapter = blocks.section(speed.text(trade))
     for table in (one for one in chapter.blocks if one.kind == "table"):
         assert len({len(row.items) for row in table.inside}) == 1
     assert not re.search(r"\bnan\b|\bNone\b|\binf\b", fragment(chapter))
