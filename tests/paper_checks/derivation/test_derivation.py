@@ -139,3 +139,4 @@ def test_a_theorem_that_was_not_run_is_said_to_be():
     assert f"kernel theorem `{name}` (not run)" in derivation.remark(line, found, {})
     assert f"kernel theorem `{name}`" in derivation.remark(line, found)
     assert "not run" not in derivation.remark(line, found)
+    assert derivation.remark(line, [replace(found[0], passed=None)]).startswith("Failed")
