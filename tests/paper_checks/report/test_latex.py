@@ -46,8 +46,9 @@ def test_every_claim_is_printed_once_below_its_verdict_with_what_is_true_instead
     (whole,) = printed["holds"][0].inside
     assert whole.text.startswith("[III, after (8); argument] ")
     assert whole.text.endswith(" Why: An identity.")
-    labels = [block.label for block in printed["holds-corrected"][0].inside]
-    assert labels == ["", "Counterexample", "What is true"]
+    finding = next(row.finding for row in rows if row.claim.id == "stiction-bracket")
+    told = {block.label: block.text for block in printed["holds-corrected"][0].inside[1:]}
+    assert told == {"Counterexample": finding.counterexample, "What is true": finding.corrected}
 
 
 def test_no_column_is_narrower_than_its_longest_word():
