@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from paper_checks.report.content import derivation
-from paper_checks.report.content.blocks import Paragraph
-from paper_checks.report.formats.markdown import written
+from paper_checks.report.content.derivation import markdown
 
 HERE = Path(__file__).resolve().parent
 NOTE = (
@@ -17,9 +15,8 @@ NOTE = (
 
 def page() -> str:
     """Return the page in Markdown, with the pictures that these pages have."""
-    blocks = (Paragraph(derivation.OPENING), Paragraph(NOTE), *derivation.checked_anew())
-    pictures = [path.stem for path in HERE.glob("*.svg")]
-    return f"# {derivation.TITLE}\n\n{written(blocks, pictures)}\n"
+    title, opening, rest = markdown(pictures=[path.stem for path in HERE.glob("*.svg")]).split("\n\n", 2)
+    return f"{title}\n\n{opening}\n\n{NOTE}\n\n{rest}"
 
 
 if __name__ == "__main__":

@@ -26,15 +26,15 @@ from sympy import simplify
 from numerics import Pair, Scene, State, solve
 from paper_checks.drawing.figures import FIGURES
 from paper_checks.evidence.formula import equation
-from paper_checks.report.formats.markdown import stages
+from paper_checks.report.content.derivation import markdown
 from theory import energy, filippov, scaling
 from theory.symbols import a1, a2, b, m1, m2, undamped, x1
 
 # %%
-Markdown(stages("derivation-model", "derivation-fields"))
+Markdown(markdown("derivation-model", "derivation-fields"))
 
 # %%
-Markdown(stages("derivation-transversality", "derivation-strip"))
+Markdown(markdown("derivation-transversality", "derivation-strip"))
 
 # %% [markdown]
 # Both products are expressions, and so is $L$. Put in numbers, or another position than the edge.
@@ -47,16 +47,16 @@ for share in (-1.1, -0.5, 0.5, 1.1):
     print(f"x1 = {share:+.1f} L: along Phi+ {rates[0]:+.2f}, along Phi- {rates[1]:+.2f} m/s^2")
 
 # %%
-Markdown(stages("derivation-filippov", "derivation-energy"))
+Markdown(markdown("derivation-filippov", "derivation-energy"))
 
 # %%
-Markdown(stages("derivation-critical-energy"))
+Markdown(markdown("derivation-critical-energy"))
 
 # %%
 FIGURES["ellipse-in-strip"]()
 
 # %%
-Markdown(stages("derivation-arcs"))
+Markdown(markdown("derivation-arcs"))
 
 # %% [markdown]
 # The solver does not know this level. From rest just inside the edge, and just outside:

@@ -28,12 +28,12 @@ from sympy import lambdify
 
 from numerics import load_scene
 from paper_checks.drawing.sharp_rate import ratio
-from paper_checks.report.formats.markdown import stages
+from paper_checks.report.content.derivation import markdown
 from theory import excursion, near_critical, rate_bounds
 from theory.symbols import q, theta
 
 # %%
-Markdown(stages("derivation-slip"))
+Markdown(markdown("derivation-slip"))
 
 # %% [markdown]
 # The map $w\mapsto w'$ by its parameter, the slip angle:
@@ -60,10 +60,10 @@ plt.show()
 # ($m_1/m_2<0.7926\ldots$) can lose so much in one excursion that $w'<0$: then the pair has merged.
 
 # %%
-Markdown(stages("derivation-expansion"))
+Markdown(markdown("derivation-expansion"))
 
 # %%
-Markdown(stages("derivation-rate"))
+Markdown(markdown("derivation-rate"))
 
 # %% [markdown]
 # The law against the solver: $t\,(E-E_{cr})$ of a scene, over the constant.

@@ -30,8 +30,7 @@ from sympy import lambdify
 
 from numerics import Pair, Scene, State
 from numerics.free.energy import energy_at
-from paper_checks.drawing.excursions import CRITICAL_SHARE
-from paper_checks.drawing.merging import merging_interval
+from paper_checks.drawing.merging import CRITICAL_SHARE, merging_interval
 from paper_checks.drawing.style import house_style
 from paper_checks.evidence.formula import equation
 from theory import excursion, near_critical, return_map

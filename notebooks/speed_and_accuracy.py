@@ -29,7 +29,7 @@ from numerics.trade.figure import draw_trade
 from numerics.trade.measure import trade
 from numerics.trade.recorded import recorded
 from paper_checks.report.content import speed
-from paper_checks.report.content.blocks import Picture
+from paper_checks.report.content.blocks import section
 from paper_checks.report.formats.html import fragment
 
 # %% [markdown]
@@ -40,11 +40,10 @@ from paper_checks.report.formats.html import fragment
 
 # %%
 measured = recorded()
-chapter = speed.section(measured)
-HTML(fragment([block for block in chapter.blocks if not isinstance(block, Picture)]))
+HTML(fragment(section(speed.text(measured))))
 
 # %%
-speed.figures(measured)[speed.WORK_PRECISION]()
+speed.figures(measured)["work-precision"]()
 
 # %% [markdown]
 # ## One scene, here and now

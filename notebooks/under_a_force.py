@@ -21,6 +21,8 @@
 # %%
 # %matplotlib inline
 # %config InlineBackend.figure_formats = ["svg"]
+from fractions import Fraction
+
 import numpy as np
 
 from numerics import (
@@ -38,7 +40,7 @@ from numerics import (
     track,
 )
 from numerics.control.answers import solved_again
-from numerics.control.pictures import draw_response
+from numerics.control.pictures import draw_response, draw_tracking
 from paper_checks.drawing import under_a_force
 from paper_checks.drawing.style import house_style
 
@@ -92,9 +94,10 @@ figure
 # With a damper, the drift of body 2 is exactly 0 if $u(t+T/2)=-u(t)$. A second harmonic breaks that.
 
 # %%
-with house_style():
-    figure = under_a_force.drift_against_asymmetry()
-figure
+for share in ("0", "0.05", "0.1"):
+    force = Force.sine("0.5", 12) + Force.sine(Fraction(share) / 2, 24, 1)
+    drifting = response(Scene(pair, State(), until=4, force=force)).orbit
+    print(f"a second harmonic of {share}: {1000 * float(drifting.travel / drifting.drive.period):.3f} mm/s")
 
 # %% [markdown]
 # ## A reference
@@ -107,9 +110,7 @@ rest = load_scene("at-rest")
 followed = track(rest, load_reference("s-curve"))
 print("asks at most", followed.share.str(12), "of the friction;", solved_again(followed).modes)
 print("too-fast:", track(rest, load_reference("too-fast")).share.str(12), "of the friction, so that no force can do it")
-with house_style():
-    figure = under_a_force.tracked_reference()
-figure
+draw_tracking(followed, rest.pair)
 
 # %% [markdown]
 # ## The fastest transfer

@@ -12,6 +12,6 @@ def dies_of_energy_rate(name, given):
     return os._exit(7) if name == "energy-rate" else rows.found(name, given)
 
 
-def dies_of_two_bodies(one: pictures.Drawing, trade: Trade) -> bytes | pictures.Undrawn:
+def dies_of_two_bodies(one: pictures.Drawing, trade: Trade) -> bytes | str:
     """Draw a figure, and end without a word when asked for the figure `two-bodies`."""
     return os._exit(7) if one.name == "two-bodies" else dict(pictures.made([one], trade))[one]

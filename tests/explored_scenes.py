@@ -7,14 +7,21 @@ from typing import NamedTuple
 from sixty_digits import FORCED, HERE, forced_scene
 
 from numerics import Force, Pair, Piece, Scene, Sine, State
+from numerics.trajectory.trajectory import Trajectory
 from paper_checks.explore.scenes import reduced
 
 
 class Answer(NamedTuple):
-    """The modes of a run, and of some of its events, by their number, (tau, X, V1)."""
+    """The modes of a run, and of events by their number (tau, X, V1); the final (x1, v1, x2, v2) is -1."""
 
     modes: list[int]
     rows: dict[int, list[float]]
+
+    @classmethod
+    def of(cls, run: Trajectory) -> "Answer":
+        """The answer of the integrator, whose units are reduced ones."""
+        rows = {n: [float(one) for one in (event.t, *event.y[:2])] for n, event in enumerate(run.events)}
+        return cls([mode.sign for mode in run.modes], {**rows, -1: [*map(float, run.final_state)]})
 
     @property
     def mirrored(self) -> "Answer":

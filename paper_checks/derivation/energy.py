@@ -7,7 +7,7 @@ from paper_checks.claims.section_3 import capture, filippov
 from paper_checks.claims.section_3.levels import LEVEL
 from paper_checks.claims.section_3.sliding import WIDTH
 from paper_checks.claims.words import *
-from paper_checks.derivation.line import Drawn, Line, Stage, gathered, of_clause, same_as, zero
+from paper_checks.derivation.line import Line, Stage, equation, gathered, of_clause, zero
 from paper_checks.derivation.surface import FREE, HALF_WIDTH, SLIDING_FIELD, in_width
 from theory.energy import arc_speed_terms, edge_speed_squared, energy, level_semi_axis, semi_axis_margin, slip_rate
 from theory.fraction import factored
@@ -48,13 +48,8 @@ ENERGY = Stage(
         Line(
             r"Differentiate along Filippov's field: stick conserves the energy.",
             CONSERVED,
-            lambda: (
-                Formula(
-                    r"\dot E\big|_{S_0}",
-                    "=",
-                    undamped(stick_rate()),
-                    same_as(derivative_along(SLIDING_FIELD, energy()).subs(v2, v1)),
-                ),
+            lambda: equation(
+                r"\dot E\big|_{S_0}", undamped(stick_rate()), derivative_along(SLIDING_FIELD, energy()).subs(v2, v1)
             ),
             kernel="energy-rate",
         ),
@@ -94,53 +89,47 @@ CRITICAL = Stage(
         Line(
             "Substitute $v_2=v_1$ into the energy: its level sets on $S$ are ellipses.",
             CLOSED,
-            lambda: (Formula(r"E\big|_S", "=", sp.collect(on_surface(), v1, sp.factor), same_as(WHOLE)),),
+            lambda: equation(r"E\big|_S", sp.collect(on_surface(), v1, sp.factor), WHOLE),
         ),
         Line(
             "Set $v_1=0$ and $E=E_0$, and solve for $x_1>0$: the semi-axis along $x_1$.",
             CLOSED,
-            lambda: (
-                Formula(
-                    r"x_1\big|_{v_1=0}",
-                    "=",
-                    gathered(level_semi_axis()),
-                    zero(lambda right: [WHOLE.subs({x1: right, v1: 0}) - E0, right - sqrt(right**2)]),
-                ),
+            lambda: Formula(
+                r"x_1\big|_{v_1=0}",
+                "=",
+                gathered(level_semi_axis()),
+                zero(lambda right: [WHOLE.subs({x1: right, v1: 0}) - E0, right - sqrt(right**2)]),
             ),
         ),
         Line(
             "Set the semi-axis equal to $L$ and solve for $E_0$: the critical energy, the largest that fits.",
             f"{CLOSED} {ABOVE}",
-            lambda: (
-                Formula(
-                    r"E_{cr}=\tfrac12a_2L^2",
-                    "=",
-                    critical_energy(),
-                    zero(lambda right: [right - LEVEL, right - a2 * WIDTH**2 / 2]),
-                ),
+            lambda: Formula(
+                r"E_{cr}=\tfrac12a_2L^2",
+                "=",
+                critical_energy(),
+                zero(lambda right: [right - LEVEL, right - a2 * WIDTH**2 / 2]),
             ),
             kernel="ellipse-iff",
         ),
-        Drawn("ellipse-in-strip"),
+        "![ellipse-in-strip]",
         Line(
             r"""
             Subtract the squares. The difference has the sign of $E_0-E_{cr}$: the ellipse lies within the strip for
             $E_0\leqslant E_{cr}$, and reaches beyond it for $E_0>E_{cr}$.
             """,
             f"{CLOSED} {ABOVE}",
-            lambda: (
-                Formula(
-                    r"x_1^2\big|_{v_1=0}-L^2",
-                    "=",
-                    in_level(-semi_axis_margin()),
-                    zero(lambda right: right.subs(ECR, LEVEL) - (2 * E0 / a2 - WIDTH**2)),
-                ),
+            lambda: Formula(
+                r"x_1^2\big|_{v_1=0}-L^2",
+                "=",
+                in_level(-semi_axis_margin()),
+                zero(lambda right: right.subs(ECR, LEVEL) - (2 * E0 / a2 - WIDTH**2)),
             ),
         ),
         Line(
             r"The same for every point of the ellipse: on $S$, $E\leqslant E_{cr}$ implies",
             f"{CLOSED} {ABOVE}",
-            lambda: (Formula("x_1^2", "<=", HALF_WIDTH**2, stays_inside),),
+            lambda: Formula("x_1^2", "<=", HALF_WIDTH**2, stays_inside),
         ),
         Line(
             r"""
@@ -179,31 +168,27 @@ SUPERCRITICAL = Stage(
         Line(
             r"Substitute $x_1=\pm L$ and $E=E_0$, and solve for $v_1^2$. It is positive for $E_0>E_{cr}$: the ellipse meets both edges.",
             ARCS,
-            lambda: (
-                Formula(
-                    r"v_1^2\big|_{x_1=\pm L}",
-                    "=",
-                    in_level(edge_speed_squared()),
-                    zero(lambda right: right.subs(ECR, LEVEL) - (2 * E0 - a2 * WIDTH**2) / (m1 + m2)),
-                ),
+            lambda: Formula(
+                r"v_1^2\big|_{x_1=\pm L}",
+                "=",
+                in_level(edge_speed_squared()),
+                zero(lambda right: right.subs(ECR, LEVEL) - (2 * E0 - a2 * WIDTH**2) / (m1 + m2)),
             ),
         ),
         Line(
             r"Do the same at any $x_1$ and subtract. On $S_0$ the difference is not negative: $v_1^2$ is least at the edges.",
             ARCS,
-            lambda: (
-                Formula(
-                    r"v_1^2-v_1^2\big|_{x_1=\pm L}",
-                    "=",
-                    in_width(arc_speed_terms()[1]),
-                    zero(lambda right: right.subs(HALF_WIDTH, WIDTH) - a2 * (WIDTH**2 - x1**2) / (m1 + m2)),
-                ),
+            lambda: Formula(
+                r"v_1^2-v_1^2\big|_{x_1=\pm L}",
+                "=",
+                in_width(arc_speed_terms()[1]),
+                zero(lambda right: right.subs(HALF_WIDTH, WIDTH) - a2 * (WIDTH**2 - x1**2) / (m1 + m2)),
             ),
         ),
         Line(
             "So, on $S_0$ with $E>E_{cr}$, $v_1$ keeps its sign: there are two arcs, one with $v_1>0$ and one with $v_1<0$.",
             ARCS,
-            lambda: (Formula("v_1", "!=", 0, never_at_rest),),
+            lambda: Formula("v_1", "!=", 0, never_at_rest),
         ),
         Line(
             r"""

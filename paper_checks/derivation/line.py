@@ -21,11 +21,6 @@ from theory.symbols import b
 _NAMED = re.compile(r"line D(\d+) of the derivation: ")
 
 
-def no_formulas() -> tuple[Formula, ...]:
-    """Return none: the formulas of a line that is an inference in words."""
-    return ()
-
-
 @dataclass(frozen=True)
 class Line:
     """One line: `done` says what was done, `formulas` is what came out; `carries` names clauses as `claim/clause`.
@@ -36,7 +31,7 @@ class Line:
 
     done: str
     carries: str
-    formulas: Callable[[], Sequence[Formula]] = field(default=no_formulas, compare=False)
+    formulas: Callable[[], Formula | Sequence[Formula]] = field(default=tuple, compare=False)
     steps: Callable[[], Steps] = field(default=tuple, compare=False)
     kernel: str = ""
 
@@ -54,14 +49,18 @@ class Line:
         """The ids of the claims that it carries, each once."""
         return tuple(dict.fromkeys(one.partition("/")[0] for one in self.clauses))
 
+    def made(self) -> tuple[Formula, ...]:
+        """Return its formulas; none where it is an inference in words."""
+        found = self.formulas()
+        return (found,) if isinstance(found, Formula) else tuple(found)
+
     def latex(self) -> str:
-        """Return what came out, as displayed formulas; empty for an inference in words."""
-        texts = [one.latex for one in self.formulas()]
-        return "".join(f"$${text}$$" for text in in_rows(texts))
+        """Return what came out, as displayed formulas."""
+        return "".join(f"$${one.latex}$$" for one in self.made())
 
     def evidence(self, number: int) -> Steps:
         """Return what its checks find; each statement begins with the number of the line."""
-        found = (*(one.evidence() for one in self.formulas()), *self.steps())
+        found = (*(one.evidence() for one in self.made()), *self.steps())
         return tuple(replace(one, statement=f"{named(number)}: {one.statement}") for one in found)
 
 
@@ -78,20 +77,6 @@ def number_in(step: Evidence) -> int | None:
     """Return the number of the line that a step belongs to; None for a step of no line."""
     found = _NAMED.match(step.statement)
     return int(found[1]) if found else None
-
-
-WIDE = 100
-"""Characters of LaTeX that fit beside each other in one displayed formula."""
-
-
-def in_rows(texts: Sequence[str]) -> list[str]:
-    """Return formulas beside each other where they fit into one displayed formula, else one a display.
-
-    >>> in_rows(["x=1", "y=2"])
-    ['x=1,\\\\qquad y=2']
-    """
-    beside = r",\qquad ".join(texts)
-    return [beside] if texts and len(beside) <= WIDE else list(texts)
 
 
 def zero(of: Callable[[sp.Basic], object]) -> Decide:
@@ -130,9 +115,9 @@ def of_clause(key: str, *names: str) -> Callable[[], tuple[Formula, ...]]:
     return found
 
 
-def same_as(expected: sp.Basic) -> Decide:
-    """Decide a formula by what its right side has to be, written down without the theory."""
-    return zero(lambda right: right - expected)
+def equation(left: str, right: sp.Basic, expected: sp.Basic, relation: str = "=") -> Formula:
+    """Return a formula whose right side theory finds; it is decided by what it has to be, written down without theory."""
+    return Formula(left, relation, right, zero(lambda found: found - expected))
 
 
 def clause_named(key: str) -> Clause:
@@ -143,20 +128,13 @@ def clause_named(key: str) -> Clause:
 
 
 @dataclass(frozen=True)
-class Drawn:
-    """A figure at its place in the derivation, by its name."""
-
-    name: str
-
-
-@dataclass(frozen=True)
 class Stage:
-    """A stage of the derivation: its anchor, its title, what is assumed in it, and its text, lines and figures in order."""
+    """A stage of the derivation: its anchor, its title, what is assumed in it, and its paragraphs, figures and lines in order."""
 
     id: str
     title: str
     assumed: str
-    parts: tuple[str | Line | Drawn, ...]
+    parts: tuple[str | Line, ...]
 
     @property
     def lines(self) -> tuple[Line, ...]:

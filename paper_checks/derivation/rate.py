@@ -6,7 +6,7 @@ from paper_checks.claims.beyond.excursions import EVENTUALLY, printed_rate_const
 from paper_checks.claims.letters import ECR, RATE, R
 from paper_checks.claims.section_3.convergence import merges_or_creeps
 from paper_checks.claims.words import *
-from paper_checks.derivation.line import Drawn, Line, Stage, gathered, of_clause, same_as
+from paper_checks.derivation.line import Line, Stage, equation, gathered, of_clause
 from paper_checks.derivation.surface import FREE
 from theory.near_critical import inverse_step, rate_constant, reduced_rate_constant
 
@@ -52,7 +52,7 @@ LAW = Stage(
         Line(
             "Divide: in one excursion $1/w$ gains, in the limit $w\\to 0$,",
             BOTH,
-            lambda: (Formula(r"\frac1{w'}-\frac1w", "->", 9 * R / (4 * q), gained),),
+            lambda: Formula(r"\frac1{w'}-\frac1w", "->", 9 * R / (4 * q), gained),
         ),
         Line(
             r"Add the times of slip and stick, and expand, up to $w^{3/2}$: a cycle takes, in units of $1/\Omega$,",
@@ -65,28 +65,21 @@ LAW = Stage(
             along the exits; between two exits $w$ lies between its values there, whose ratio tends to $1$.
             """,
             BOTH,
-            lambda: (Formula(r"\tau\,w", "->", 4 * pi * q / (9 * R), summed),),
+            lambda: Formula(r"\tau\,w", "->", 4 * pi * q / (9 * R), summed),
             kernel="sharp-law",
         ),
         Line(
             r"Substitute the units, $\tau=\Omega t$ and $w=E/E_{cr}-1$: the $1/t$ law.",
             BOTH,
-            lambda: (
-                Formula(
-                    r"t\,(E-E_{cr})",
-                    "->",
-                    gathered(rate_constant() / critical_energy() * ECR),
-                    same_as(RATE),
-                ),
-            ),
+            lambda: equation(r"t\,(E-E_{cr})", gathered(rate_constant() / critical_energy() * ECR), RATE, "->"),
             kernel="sharp-law",
         ),
         Line(
             r"Substitute $E_{cr}$: the constant in the parameters of the pair alone.",
             BOTH,
-            lambda: (Formula(r"t\,(E-E_{cr})", "->", rate_constant(), same_as(printed_rate_constant())),),
+            lambda: equation(r"t\,(E-E_{cr})", rate_constant(), printed_rate_constant(), "->"),
         ),
-        Drawn("sharp-rate"),
+        "![sharp-rate]",
         Line(
             r"""
             A positive continuous function with a positive limit is bounded from both sides: $c_1/t\leqslant E-E_{cr}\leqslant c_2/t$

@@ -7,7 +7,7 @@ from paper_checks.claims.beyond.return_map import LEFT_OUT, remainders
 from paper_checks.claims.beyond.slips import depth_grows, one_contact
 from paper_checks.claims.letters import R
 from paper_checks.claims.words import *
-from paper_checks.derivation.line import Line, Stage, gathered, of_clause, same_as, tidy, zero
+from paper_checks.derivation.line import Line, Stage, equation, gathered, of_clause, tidy, zero
 from paper_checks.derivation.surface import FREE
 from theory.excursion import excursion, h_slope
 from theory.near_critical import cycle
@@ -60,7 +60,7 @@ SLIP = Stage(
             r"Read the frequency off $\Phi_0$, and define the mass shares.",
             LANDING,
             lambda: (
-                Formula(r"\Omega", "=", gathered(stick_frequency()), same_as(sqrt(a2 / (m1 + m2)))),
+                equation(r"\Omega", gathered(stick_frequency()), sqrt(a2 / (m1 + m2))),
                 *of_clause(LANDING, "share", "rest")(),
             ),
         ),
@@ -68,17 +68,15 @@ SLIP = Stage(
             r"Substitute the units into $\Phi_-$ and into $E/E_{cr}$.",
             CONTACT,
             lambda: (
-                Formula(
+                equation(
                     r"\tfrac{d}{d\tau}(X,V_1,V_2)",
-                    "=",
                     Matrix(reduced_slip(-1)).applyfunc(tidy),
-                    same_as(Matrix([V1, -(X - r) / q, -1])),
+                    Matrix([V1, -(X - r) / q, -1]),
                 ),
-                Formula(
+                equation(
                     r"\frac{E}{E_{cr}}",
-                    "=",
                     sp.collect(sp.expand(reduced_energy()), [V2], sp.factor),
-                    same_as(X**2 + q * V1**2 + r * V2**2),
+                    X**2 + q * V1**2 + r * V2**2,
                 ),
             ),
         ),
@@ -89,13 +87,11 @@ SLIP = Stage(
         Line(
             r"Solve the linear equations, and subtract the velocities: the guard along the slip.",
             CONTACT,
-            lambda: (
-                Formula(
-                    r"\frac{V_1-V_2}{\sqrt q}",
-                    "=",
-                    sp.collect(reduced_guard(), [push, gap], sp.factor),
-                    zero(slip_equation),
-                ),
+            lambda: Formula(
+                r"\frac{V_1-V_2}{\sqrt q}",
+                "=",
+                sp.collect(reduced_guard(), [push, gap], sp.factor),
+                zero(slip_equation),
             ),
         ),
         Line(
@@ -112,13 +108,8 @@ SLIP = Stage(
             $-\infty$ for $d>0$. So their sum is $\nu$, and the slip ends, at exactly one angle.
             """,
             CONTACT,
-            lambda: (
-                Formula(
-                    "h'",
-                    "=",
-                    tidy(h_slope()),
-                    same_as((2 * (1 - cos(theta)) - theta * sin(theta)) / (1 - cos(theta)) ** 2),
-                ),
+            lambda: equation(
+                "h'", tidy(h_slope()), (2 * (1 - cos(theta)) - theta * sin(theta)) / (1 - cos(theta)) ** 2
             ),
             steps=lambda: (*angle_of_excursion(), *one_contact()),
         ),
@@ -153,7 +144,7 @@ SLIP = Stage(
             inside $S_0$. So $0<w'<w$ there: the energy falls, and does not reach $E_{cr}$.
             """,
             CREEPS,
-            lambda: (Formula(r"\frac{dy'}{dy}", "=", 1 - R * (1 - cos(theta)), shrinks),),
+            lambda: Formula(r"\frac{dy'}{dy}", "=", 1 - R * (1 - cos(theta)), shrinks),
             steps=never_merges,
             kernel="no-merging-from-S0",
         ),
@@ -173,13 +164,11 @@ EXPANSION = Stage(
         Line(
             r"Substitute $y=w/q$ and expand, up to $w^3$. There is no linear loss: a slip costs an energy of the order $w^2$.",
             MAP,
-            lambda: (
-                Formula(
-                    "w'",
-                    "=",
-                    w - 9 * R / (4 * q) * w**2 + 81 * R / (40 * q**2) * w**3,
-                    expanded,
-                ),
+            lambda: Formula(
+                "w'",
+                "=",
+                w - 9 * R / (4 * q) * w**2 + 81 * R / (40 * q**2) * w**3,
+                expanded,
             ),
         ),
         Line(

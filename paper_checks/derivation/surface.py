@@ -6,7 +6,7 @@ from paper_checks.claims.letters import field, guard_rate, in_strip
 from paper_checks.claims.section_2 import model as modes
 from paper_checks.claims.section_3.sliding import WIDTH
 from paper_checks.claims.words import *
-from paper_checks.derivation.line import Line, Stage, of_clause, same_as, tidy, zero
+from paper_checks.derivation.line import Line, Stage, equation, of_clause, tidy, zero
 from theory.filippov import edge_contact, manifest_signs, sliding_weight, weight_margin
 from theory.fraction import factored
 
@@ -101,23 +101,18 @@ FIELDS = Stage(
         Line(
             r"Substitute $a_1=u=0$ into the slip mode of $\Omega_+$.",
             "vector-fields/fields",
-            lambda: (Formula(r"\Phi_+", "=", Matrix(phi(1)).applyfunc(tidy), same_as(field(1))),),
+            lambda: equation(r"\Phi_+", Matrix(phi(1)).applyfunc(tidy), field(1)),
         ),
         Line(
             r"Do the same in $\Omega_-$.",
             "vector-fields/fields",
-            lambda: (Formula(r"\Phi_-", "=", Matrix(phi(-1)).applyfunc(tidy), same_as(field(-1))),),
+            lambda: equation(r"\Phi_-", Matrix(phi(-1)).applyfunc(tidy), field(-1)),
         ),
         Line(
             "Subtract: the field jumps across $S$.",
             "vector-fields/jump",
-            lambda: (
-                Formula(
-                    r"\Phi_+-\Phi_-",
-                    "=",
-                    Matrix(phi(1) - phi(-1)).applyfunc(sp.simplify),
-                    same_as(Matrix([0, -2 * b / m1, 2 * b / m2])),
-                ),
+            lambda: equation(
+                r"\Phi_+-\Phi_-", Matrix(phi(1) - phi(-1)).applyfunc(sp.simplify), Matrix([0, -2 * b / m1, 2 * b / m2])
             ),
         ),
     ),
@@ -164,13 +159,7 @@ TRANSVERSALITY = Stage(
             "Multiply the fields by it, and substitute $v_2=v_1$.",
             f"{OUTSIDE} {INSIDE}",
             lambda: tuple(
-                Formula(
-                    guard_rate(sign),
-                    "=",
-                    tidy(transversality(sign)),
-                    same_as(printed_product(sign)),
-                )
-                for sign in (1, -1)
+                equation(guard_rate(sign), tidy(transversality(sign)), printed_product(sign)) for sign in (1, -1)
             ),
             kernel="rate-above rate-below",
         ),
@@ -231,11 +220,10 @@ STRIP = Stage(
                 Formula(
                     "L", "=", half_width(), zero(lambda right: [right - WIDTH, transversality(-1).subs(x1, right)])
                 ),
-                Formula(
+                equation(
                     r"\Phi_+\cdot n_S\big|_{x_1=-L}",
-                    "=",
                     transversality(1).subs(x1, -half_width()).simplify(),
-                    same_as(printed_product(1).subs(x1, -WIDTH)),
+                    printed_product(1).subs(x1, -WIDTH),
                 ),
             ),
             kernel="transversal-inside",
@@ -252,11 +240,8 @@ STRIP = Stage(
             """,
             "supercritical-arcs/exits",
             lambda: (
-                Formula(
-                    r"\tfrac{d}{dt}(v_1-v_2)\big|_{x_1=L}",
-                    "=",
-                    edge_contact(1).first,
-                    same_as(printed_product(-1).subs(x1, WIDTH)),
+                equation(
+                    r"\tfrac{d}{dt}(v_1-v_2)\big|_{x_1=L}", edge_contact(1).first, printed_product(-1).subs(x1, WIDTH)
                 ),
                 touches(edge_contact(1).second),
             ),
@@ -296,25 +281,21 @@ FILIPPOV = Stage(
         Line(
             r"Set $\alpha\,\Phi_+\cdot n_S+(1-\alpha)\,\Phi_-\cdot n_S$ to $0$ and solve for $\alpha$.",
             "sliding-region/region",
-            lambda: (
-                Formula(
-                    r"\alpha",
-                    "=",
-                    tidy(sliding_weight()),
-                    zero(lambda right: right * printed_product(1) + (1 - right) * printed_product(-1)),
-                ),
+            lambda: Formula(
+                r"\alpha",
+                "=",
+                tidy(sliding_weight()),
+                zero(lambda right: right * printed_product(1) + (1 - right) * printed_product(-1)),
             ),
         ),
         Line(
             "Factor: with $L$ as above, the product of both weights has the sign of $L^2-x_1^2$.",
             "sliding-region/region",
-            lambda: (
-                Formula(
-                    r"\alpha(1-\alpha)",
-                    "=",
-                    in_width(weight_margin()),
-                    zero(lambda right: right.subs(HALF_WIDTH, WIDTH) - (1 - (x1 / WIDTH) ** 2) / 4),
-                ),
+            lambda: Formula(
+                r"\alpha(1-\alpha)",
+                "=",
+                in_width(weight_margin()),
+                zero(lambda right: right.subs(HALF_WIDTH, WIDTH) - (1 - (x1 / WIDTH) ** 2) / 4),
             ),
         ),
         Line(
@@ -328,13 +309,11 @@ FILIPPOV = Stage(
         Line(
             "Substitute the weight: Filippov's field. It is the stick mode, one mass $m_1+m_2$ on the spring.",
             "sliding-region/modes",
-            lambda: (
-                Formula(
-                    r"\Phi_0",
-                    "=",
-                    Matrix(sliding_field()),
-                    zero(lambda right: [right - SLIDING_FIELD, right - undamped(branch_named("stick").field)]),
-                ),
+            lambda: Formula(
+                r"\Phi_0",
+                "=",
+                Matrix(sliding_field()),
+                zero(lambda right: [right - SLIDING_FIELD, right - undamped(branch_named("stick").field)]),
             ),
         ),
     ),

@@ -2,65 +2,57 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from numerics.linear.modes import Mode
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.drawing.style import MM, MODE_COLOURS, marker_style, panels, segment_samples, solved
+from paper_checks.drawing.style import MM, MODE_COLOURS, SLIDING, marker_style, panels, segment_samples, solved
 
 PARTS = {
     Mode.SLIP_PLUS: (r"in $\Omega_+$ ($v_1>v_2$)", "-"),
     Mode.SLIP_MINUS: (r"in $\Omega_-$ ($v_1<v_2$)", "--"),
     Mode.STICK: ("in $S_0$", "-"),
 }
-MERGING = {"O": (6, 8), "A": (8, 3)}
-CREEPING = {
-    "O_1": (-19, 2), "A_1": (8, 4), "B_1": (-16, -10), "A_2": (-1, 8), "C_1": (7, 2), "B_2": (5, -13), "D_1": (-18, 2),
-    "A_3": (3, -14), "O_2": (-5, -17),
-}  # fmt: skip
-"""The names of start, events and end in their order, and how far from its point each is written, points."""
 
 
 def itinerary_that_merges() -> Figure:
     """Draw a trajectory that enters S0 once and merges with an orbit of E < E_cr."""
-    return _draw(solved("itinerary-that-merges"), MERGING, "(a) enters $S_0$ and merges with an orbit of $E<E_{cr}$")
+    return _draw(
+        solved("itinerary-that-merges", Fraction("1.5")),
+        "O A",
+        "(a) enters $S_0$ and merges with an orbit of $E<E_{cr}$",
+    )
 
 
 def itinerary_that_creeps() -> Figure:
     """Draw O1 -> A1 -> B1 -> A2 -> C1 -> B2 -> D1 -> A3 -> O2."""
     title = "(b) crosses $S$ twice, then sticks and slips towards $E=E_{cr}$"
-    return _draw(solved("itinerary-that-creeps"), CREEPING, title)
+    return _draw(solved("itinerary-that-creeps", Fraction("1.1")), "O_1 A_1 B_1 A_2 C_1 B_2 D_1 A_3 O_2", title)
 
 
-def _draw(trajectory: Trajectory, names: Mapping[str, tuple[int, int]], title: str) -> Figure:
+def _draw(trajectory: Trajectory, names: str, title: str) -> Figure:
     figure, axes = panels(6.6, 5.0)
     pair = trajectory.scene.pair
     half, rate = MM * float(pair.half_width), float(pair.a2 / pair.mass) ** 0.5
-    _draw_motion(axes, trajectory)
+    for mode, _, y in segment_samples(trajectory, 200):
+        label, dashes = PARTS[mode]
+        x, v = _projected(y)
+        axes.plot(x, v, color=MODE_COLOURS[mode], ls=dashes, lw=1.6, zorder=3, label=label)
+        look = {"arrowstyle": "-|>", "color": MODE_COLOURS[mode], "mutation_scale": 13}
+        axes.annotate("", (x[102], v[102]), (x[98], v[98]), arrowprops=look)
     _name_points(axes, trajectory, names)
     angle = np.linspace(0, 2 * np.pi, 400)
     circle = half * np.cos(angle), half * rate * np.sin(angle)
     axes.plot(*circle, color="#777777", lw=0.9, ls=":", zorder=1, label="$E=E_{cr}$ on $S$")
     edge, top = (1.05 * max(map(abs, limits)) for limits in (axes.get_xlim(), axes.get_ylim()))
-    for side, name in ((1, r"\ell_+"), (-1, r"\ell_-")):
-        label = "exit rays" if side > 0 else None
-        axes.plot([side * half] * 2, [0, side * top], color="#2e8b3d", lw=2.4, zorder=1.5, label=label)
-        axes.text(
-            side * (half + 0.055 * edge),
-            0.93 * side * top,
-            f"${name}$",
-            color="#1d6b2b",
-            fontsize=11,
-            ha="center",
-            va="center",
-        )
-    axes.axvspan(-half, half, fc="#f2f2f2", ec="#c4c4c4", hatch="////", lw=0, zorder=0, label="sliding region $S_0$")
-    for x, name in ((-(half + edge) / 2, "$S_-$"), (0, "$S_0$"), ((half + edge) / 2, "$S_+$")):
-        axes.text(x, -0.93 * top, name, ha="center", va="center", fontsize=11, color="#555555")
+    for side, name, colour in ((1, r"$\ell_+$", "#c8641e"), (-1, r"$\ell_-$", "#2e8b3d")):
+        axes.plot([side * half] * 2, [0, side * top], color=colour, lw=2.4, zorder=1.5, label=name)
+    axes.axvspan(-half, half, color=SLIDING, lw=0, zorder=0, label="sliding region $S_0$")
     axes.set(xlim=(-edge, edge), ylim=(-top, top), xlabel="$x_1$ (mm)", ylabel=r"$(v_1+v_2)/2$ (mm/s)", title=title)
     handles, labels = axes.get_legend_handles_labels()
     shown = dict(zip(labels, handles, strict=True))
@@ -68,25 +60,15 @@ def _draw(trajectory: Trajectory, names: Mapping[str, tuple[int, int]], title: s
     return figure
 
 
-def _draw_motion(axes: Any, trajectory: Trajectory) -> None:
-    """Draw the parts in the paper's colours with an arrow each."""
-    for mode, _, y in segment_samples(trajectory, 200):
-        label, dashes = PARTS[mode]
-        x, v = _projected(y)
-        axes.plot(x, v, color=MODE_COLOURS[mode], ls=dashes, lw=1.6, zorder=3, label=label)
-        look = {"arrowstyle": "-|>", "color": MODE_COLOURS[mode], "mutation_scale": 13}
-        middle = len(x) // 2
-        axes.annotate("", (x[middle + 2], v[middle + 2]), (x[middle - 2], v[middle - 2]), arrowprops=look)
-
-
-def _name_points(axes: Any, trajectory: Trajectory, names: Mapping[str, tuple[int, int]]) -> None:
-    """Mark and name the start, the events, and the end where it has a name."""
+def _name_points(axes: Axes, trajectory: Trajectory, names: str) -> None:
+    """Mark and name the start, the events in their order, and the end where it has a name."""
     states = [trajectory.y[:, 0], *(event.y for event in trajectory.events), trajectory.y[:, -1]]
     kinds = [None, *trajectory.event_kinds, None]
-    for (name, offset), kind, y in zip(names.items(), kinds, states, strict=False):
-        look = marker_style(kind, 7) if kind else {"marker": "s", "color": "black", "zorder": 5}
+    for name, kind, y in zip(names.split(), kinds, states, strict=False):
+        look = marker_style(kind) if kind else {"marker": "s", "color": "black", "zorder": 5}
         axes.plot(*_projected(y), linestyle="none", label=kind.value if kind else None, **look)
-        axes.annotate(f"${name}$", _projected(y), xytext=offset, textcoords="offset points", fontsize=11, zorder=6)
+        white = {"fc": "white", "ec": "none", "alpha": 0.75, "pad": 0.5}
+        axes.annotate(f"${name}$", _projected(y), xytext=(8, 6), textcoords="offset points", bbox=white, zorder=6)
 
 
 def _projected(y: Any) -> tuple[Any, Any]:

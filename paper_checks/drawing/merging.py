@@ -1,24 +1,57 @@
-"""The pictures of which motions merge: the interval of energies, the share of an energy sphere."""
+"""Which slips from a ray merge: by the angle of the slip, and by the energy of a pair."""
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
+from sympy import lambdify
 
-from paper_checks.claims.beyond.merging_share import by_quadrature
-from paper_checks.drawing.excursions import CRITICAL_SHARE, slip
+from paper_checks.claims.beyond.critical_ratio import critical_value
+from paper_checks.decide.balls import precision
 from paper_checks.drawing.style import panels
+from theory.excursion import h
+from theory.return_map import depth
+from theory.symbols import theta
 
+Curve = NDArray[np.float64]
+with precision():
+    CRITICAL_SHARE = float(critical_value())
+    """r*, rounded to binary64."""
 LARGEST_RATIO = 100
 """m2/m1 up to which the interval is shown; beyond, only its scale changes, with q."""
 
 
+def slip(last: float) -> tuple[Curve, Curve, Curve]:
+    """Return angles up to the last one, exit speeds h of slips from a ray, and R^2 = (h/c)^2, binary64."""
+    angles = np.linspace(1e-2, last, 2000)
+    speed = lambdify(theta, h())(angles)
+    return angles, speed, (speed / lambdify(theta, depth())(angles)) ** 2
+
+
+def merging_window() -> Figure:
+    """Draw R^2 against the angle: a slip merges where the line r lies above it."""
+    angles, _, ratio = slip(5.6)
+    figure, axes = panels(5.6, 3.1)
+    axes.plot(angles, ratio, color="black", lw=1.6, label="$R^2=(h/c)^2$")
+    for share, colour, dashes in ((0.4, "#1b4f8f", "-"), (CRITICAL_SHARE, "black", "--"), (0.8, "#c8641e", "-.")):
+        label = f"$r={share:.4g}$, $m_1/m_2={1 / share - 1:.4g}$"
+        axes.axhline(share, color=colour, lw=1.2, ls=dashes, label=label)
+        if share > CRITICAL_SHARE:
+            axes.fill_between(angles, ratio, share, where=(ratio < share).tolist(), color="#f3c9a8", lw=0)
+    axes.set(
+        xlabel=r"slip angle $\theta$ (dimensionless)",
+        ylabel="$R^2$ and $r$ (dimensionless)",
+        xlim=(1, 5.6),
+        ylim=(0.3, 1.6),
+    )
+    axes.legend()
+    return figure
+
+
 def merging_interval() -> Figure:
     """Draw the energies that merge at the first landing over the mass ratio: along their edge r = R^2 and w = q h^2."""
-    _, speed, deep = slip(last=6.2)
-    share = (speed / deep) ** 2
+    _, speed, share = slip(6.2)
     drawn = share < 1 - 0.1 / LARGEST_RATIO
     share, excess = share[drawn], ((1 - share) * speed**2)[drawn]
     figure, axes = panels(6.4, 3.6)
@@ -29,26 +62,4 @@ def merging_interval() -> Figure:
     axes.set(xscale="log", yscale="log", xlim=(0.8, LARGEST_RATIO))
     axes.set(xlabel="$m_2/m_1$ (dimensionless)", ylabel="$E/E_{cr}-1$ on $S_0$ (dimensionless)")
     axes.legend()
-    return figure
-
-
-@cache
-def _shares(share: float, energies: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(by_quadrature(share, energy) for energy in energies)
-
-
-def merging_share() -> Figure:
-    """Draw the share of all states of an energy that merge, by the integral, for three mass shares up to r*."""
-    energies = np.geomspace(1.01, 100, 25)
-    figure, axes = panels(5.4, 3.0)
-    for share, colour, marker in (
-        (0.2, "#1b4f8f", "o"),
-        (0.4, "#2e8b3d", "s"),
-        (CRITICAL_SHARE, "#c8641e", "D"),
-    ):
-        values = _shares(share, tuple(energies))
-        axes.loglog(energies, values, color=colour, marker=marker, ms=3.5, lw=1, label=f"$r={share:.4g}$")
-        axes.loglog(energies, 1 / (2 * np.sqrt(1 - share) * energies), color=colour, lw=0.8, ls=":")
-    axes.set(xlabel="$E/E_{cr}$ (dimensionless)", ylabel="share that merges (dimensionless)", ylim=(2e-3, 1.3))
-    axes.legend(title="dotted: limit for large $E$")
     return figure

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from fractions import Fraction
@@ -12,16 +12,17 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 from matplotlib import style as mpl_style
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from numerics.linear.modes import EventKind, Mode
-from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from numerics.trade.forward_euler import EulerRun, forward_euler
 from numerics.trajectory.trajectory import Trajectory
 
+Vector = NDArray[np.float64]
 Figures = Mapping[str, Callable[[], Figure]]
 """How each figure is drawn, by the name that findings and sections give it."""
 STEP = 1e-4
@@ -69,79 +70,42 @@ def panels(width: float, height: float, rows: int = 1, columns: int = 1, **share
 
 
 @cache
-def solved(name: str, until: Fraction | None = None) -> Trajectory:
-    """Return a shipped scene solved in float64, which is ample for the eye; the checks enclose the numbers."""
-    return solve(_scene(name, until))
+def solved(name: str, until: int | Fraction = 5) -> Trajectory:
+    """Return a shipped scene, up to a time in s, solved in float64: ample for the eye; the checks enclose the numbers."""
+    return solve(replace(load_scene(name), until=Fraction(until)))
 
 
 @cache
-def euler(name: str, until: Fraction | None = None) -> EulerRun:
-    """Return forward Euler of a shipped scene, binary64."""
-    return forward_euler(_scene(name, until), STEP)
+def euler(name: str, until: int | Fraction = 5) -> EulerRun:
+    """Return forward Euler of a shipped scene, up to a time in s, binary64."""
+    return forward_euler(replace(load_scene(name), until=Fraction(until)), STEP)
 
 
-def _scene(name: str, until: Fraction | None) -> Scene:
-    scene = load_scene(name)
-    return scene if until is None else replace(scene, until=until)
-
-
-def segment_samples(
-    trajectory: Trajectory, points: int = 60
-) -> Iterator[tuple[Mode, NDArray[np.float64], NDArray[np.float64]]]:
+def segment_samples(trajectory: Trajectory, points: int = 60) -> Iterator[tuple[Mode, Vector, Vector]]:
     """Yield each segment's mode, times (s) and states (4, points); the ends are the events, so no corner is cut."""
-    times = trajectory.t
-    for mode, start, end in zip(trajectory.modes, times, times[1:], strict=False):
+    for mode, start, end in zip(trajectory.modes, trajectory.t, trajectory.t[1:], strict=False):
         t = np.linspace(start, end, points)
-        inner = trajectory.sol(t[1:-1])
         first, last = trajectory.sol(float(start)), trajectory.sol(float(end), side="left")
-        yield mode, t, np.column_stack([first, inner, last])
+        yield mode, t, np.column_stack([first, trajectory.sol(t[1:-1]), last])
 
 
-def samples(trajectory: Trajectory, points: int = 60) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def samples(trajectory: Trajectory, points: int = 60) -> tuple[Vector, Vector]:
     """Return times (n,) and states (4, n) of the whole trajectory."""
-    parts = list(segment_samples(trajectory, points))
-    return np.concatenate([t for _, t, _ in parts]), np.concatenate([y for _, _, y in parts], axis=1)
+    _, times, states = zip(*segment_samples(trajectory, points), strict=True)
+    return np.concatenate(times), np.concatenate(states, axis=1)
 
 
-def mark_events(
-    axes: Any,
-    trajectory: Trajectory,
-    row: int,
-    *,
-    against: int | None = None,
-) -> None:
+def mark_events(axes: Axes, trajectory: Trajectory, row: int, against: int | None = None) -> None:
     """Mark entries, exits and crossings by shape; `row` of the state against time, or against another row, in mm."""
     for kind in MARKERS:
         events = [event for event in trajectory.events if event.kind is kind]
         if events:
             across = [event.t if against is None else MM * event.y[against] for event in events]
-            axes.plot(
-                across,
-                [MM * event.y[row] for event in events],
-                linestyle="none",
-                label=kind.value,
-                **marker_style(kind),
-            )
+            up = [MM * event.y[row] for event in events]
+            axes.plot(across, up, linestyle="none", label=kind.value, **marker_style(kind))
 
 
-def marker_style(kind: EventKind, size: float = 5.5) -> dict[str, Any]:
+def marker_style(kind: EventKind) -> dict[str, Any]:
     """Return how an event of this kind is marked."""
-    return {
-        "marker": MARKERS[kind],
-        "markersize": size,
-        "markerfacecolor": "white",
-        "markeredgecolor": "black",
-        "markeredgewidth": 0.9,
-        "zorder": 5,
-    }
-
-
-def shade_sliding_region(axes: Any, trajectory: Trajectory) -> None:
-    """Shade |x1| <= L, in mm."""
-    half = MM * float(trajectory.scene.pair.half_width)
-    axes.axvspan(-half, half, color=SLIDING, zorder=0, linewidth=0, label="$S_0$: $|x_1|\\leq L$")
-
-
-def thinned(run: EulerRun, rows: Sequence[int], every: int = 10) -> list[NDArray[np.float64]]:
-    """Return t (s) and the given rows (mm, mm/s) of every tenth Euler step: more than the eye can tell apart."""
-    return [run.t[::every], *(MM * run.y[row, ::every] for row in rows)]
+    white = {"markerfacecolor": "white", "markeredgecolor": "black", "markeredgewidth": 0.9}
+    return {"marker": MARKERS[kind], "markersize": 6, "zorder": 5, **white}

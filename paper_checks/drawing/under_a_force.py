@@ -1,8 +1,7 @@
-"""The pair under a force: thresholds, resonance, a tracked reference, the fastest transfer, Fig. 1 for a scene, drift."""
+"""The pair under a force: thresholds, resonance, the fastest transfer, Fig. 1 for a scene."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from fractions import Fraction
 
 import numpy as np
@@ -10,17 +9,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from numerics.arithmetic.ball import Ball
 from numerics.control.answers import solved_again
-from numerics.control.cheapest import cheapest_transfer
-from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
-from numerics.control.pictures import REGIME_COLOURS, draw_ring, draw_thresholds, draw_tracking, draw_transfer
-from numerics.control.response import response, steady_drive
+from numerics.control.pictures import REGIME_COLOURS, draw_ring, draw_thresholds, draw_transfer
 from numerics.control.ring import ring_entry
-from numerics.control.tracking import track
 from numerics.control.transfer import fastest_transfer
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
-from numerics.scene.file import load_reference, load_scene
+from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from paper_checks.drawing.style import BODY_1, BODY_2, panels, samples
 from theory import critical_resonance as critical
@@ -34,8 +28,6 @@ RESONANT = Pair(1, 1, 100, "0.5")
 EDGE = 4 * float(RESONANT.b) / np.pi
 """The amplitude at that frequency, N, that friction can just take, in double precision."""
 DRIVEN = Scene(DAMPED, State(), until=4, force=Force.sine("0.5", 12))
-SHARES = tuple(Fraction(k, 20) for k in range(21))
-"""Amplitudes of the second harmonic as parts of the first."""
 
 
 def thresholds_over_frequency() -> Figure:
@@ -62,9 +54,8 @@ def resonance() -> Figure:
         ax.plot(t, y[3], color=BODY_2, lw=0.9, ls="--", label="$v_2$")
         rate = (float(amplitude) - EDGE) / (2 * float(RESONANT.m1))
         if rate > 0:
-            for side in (1, -1):
-                label = r"$(U-4b/\pi)\,t/(2m_1)$" if side > 0 else None
-                ax.plot(t, side * rate * t, color="black", lw=0.8, ls=":", label=label)
+            label = [r"$(U-4b/\pi)\,t/(2m_1)$", "_"]
+            ax.plot(t, np.outer(t, (rate, -rate)), color="black", lw=0.8, ls=":", label=label)
         ax.set(xlabel="$t$ (s)", ylabel="velocity (m/s)", title=f"$U={amplitude}$ N, $4b/\\pi={EDGE:.4f}$ N")
     _draw_third_root(at_edge)
     for ax in (below, above, at_edge):
@@ -75,28 +66,18 @@ def resonance() -> Figure:
 def _draw_third_root(ax: Axes) -> None:
     """Draw |A| period by period at U = 4b/pi: of a sine alone, and with a part at half its frequency beside it."""
     omega, times = float(RESONANT.a2 / RESONANT.m1) ** 0.5, 0.4 * np.pi * np.geomspace(1, 400, 60).round()
-    for push, colour in ((0, BODY_2), ("0.5", BODY_1), (1, "black")):
+    growth = critical.growth_by_one_part().subs(
+        {critical.order: Fraction(1, 2), natural: omega, m1: RESONANT.m1, b: RESONANT.b}
+    )
+    for push, colour in ((Fraction(0), BODY_2), (Fraction(1, 2), BODY_1), (Fraction(1), "black")):
         force = Force([Piece(0, (), [Sine(EDGE, 10, 0), Sine(push, 5, "0.3")])])
         run = solve(Scene(RESONANT, State(), until=510, force=force), t_eval=times, max_events=4_000)
-        name = f"$p={push}$ N" if push else "the sine alone"
-        ax.loglog(times, np.hypot(run.y[1], omega * run.y[0]), color=colour, label=name)
+        size = np.hypot(run.y[1], omega * run.y[0])
+        ax.loglog(times, size, color=colour, label=f"$p={float(push):g}$ N" if push else "the sine alone")
         if push:
-            known = {
-                critical.push: push,
-                critical.order: Fraction(1, 2),
-                natural: omega,
-                m1: RESONANT.m1,
-                b: RESONANT.b,
-            }
-            limit = float(critical.growth_by_one_part().subs(known))
+            limit = float(growth.subs(critical.push, push))
             ax.loglog(times, (limit * times) ** (1 / 3), color=colour, lw=0.8, ls=":")
     ax.set(xlabel="$t$ (s)", ylabel="$|A|$ (m/s)", title=r"$U=4b/\pi$, beside it $p\,\sin(\omega_1t/2+0.3)$")
-
-
-def tracked_reference() -> Figure:
-    """Draw the shipped reference s-curve, what it asks of the interface, and the force that makes body 2 follow it."""
-    scene = load_scene("at-rest")
-    return draw_tracking(track(scene, load_reference("s-curve")), scene.pair)
 
 
 def fastest_transfer_figure() -> Figure:
@@ -107,41 +88,6 @@ def fastest_transfer_figure() -> Figure:
     return draw_transfer(found, solved)
 
 
-def cheapest_transfer_figure() -> Figure:
-    """Draw the transfer over 1 cm in 0.4 s with the least int u^2 dt: friction is at its limit at the end."""
-    found = cheapest_transfer(load_scene("at-rest"), "0.01", "0.4")
-    solved = solved_again(found)
-    assert solved is not None
-    return draw_transfer(found, solved)
-
-
 def tolerance_ring_of_a_scene() -> Figure:
     """Draw Fig. 1 for the scene of Fig. 5: the ring of 1 mm, velocities counted in parts of 20/s."""
     return draw_ring(ring_entry(load_scene("velocities"), "0.001", rate=20))
-
-
-def harmonics() -> Iterator[Orbit]:
-    """Yield the periodic motions as a second harmonic is added, each proved, the one before it being the guess."""
-    drive, found = steady_drive(DRIVEN), response(DRIVEN).orbit
-    assert found is not None
-    for share in SHARES:
-        first = drive.piece.sines[0]
-        sines = [first, Sine(share * first.amplitude, 2 * first.omega, 1)]
-        changed = PeriodicDrive(drive.pair, Piece(0, (), sines))
-        with Ball(20).context():
-            found = solve_orbit(changed, found)
-        yield found
-
-
-def drift_against_asymmetry() -> Figure:
-    """Draw the mean velocity of body 2 against the part of a second harmonic, which makes the force two-sided."""
-    figure, ax = panels(6, 3.8)
-    orbits = list(harmonics())
-    with Ball(16).context():
-        drift = [1000 * float(one.travel / one.drive.period) for one in orbits]
-    ax.plot([float(one) for one in SHARES], drift, "o-", color=BODY_2, ms=3, label="proved periodic motions")
-    ax.axhline(0, color="#777777", lw=0.7)
-    ax.legend()
-    ax.set(xlabel="second harmonic over the first (dimensionless)", ylabel="drift of body 2 (mm/s)")
-    ax.set_title(r"$u=U(\sin\omega t+\varepsilon\sin(2\omega t+1))$: no drift without asymmetry")
-    return figure

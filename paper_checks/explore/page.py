@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from paper_checks.explore.scenes import OWN, paper_buttons
+from paper_checks.explore.scenes import buttons
 
 SOLVER = ("oscillator", "first_root", "solver")
 """What solves; it knows no page."""
@@ -25,14 +25,13 @@ def page(beside: Iterable[str] = ()) -> str:
     from markupsafe import Markup
 
     templates = Environment(loader=FileSystemLoader(FOLDER), autoescape=True, undefined=StrictUndefined)
-    paper, known = paper_buttons(), [*beside]
-    scenes = [one.data() for one in (*paper, *OWN)]
+    (paper, own), known = buttons(), [*beside]
     return templates.get_template("explore.html").render(
         style=Markup(FOLDER.joinpath("explore.css").read_text(encoding="utf-8")),
         program=Markup(source()),
-        data={"scenes": scenes, "criticalRatio": critical_ratio(), "beside": known},
+        data={"scenes": [*paper, *own], "criticalRatio": critical_ratio(), "beside": known},
         paper=paper,
-        own=OWN,
+        own=own,
         beside=known,
     )
 

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import tomllib
 from dataclasses import asdict, dataclass
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.scene.model import Law
 from numerics.scene.pieces import Sine
+
+SCENES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text("utf-8"))
 
 
 @dataclass(frozen=True)
@@ -27,44 +31,6 @@ class ReducedScene:
     amplitude: float = 0.0
     omega: float = 1.0
     literal: bool = False
-
-
-@dataclass(frozen=True)
-class Button:
-    """Label of a button, the scene that it loads, and its units in SI, if it has such."""
-
-    label: str
-    scene: ReducedScene
-    units: str = ""
-
-    def data(self) -> dict[str, Any]:
-        """Return what the page needs of it."""
-        return {"scene": asdict(self.scene), "units": self.units}
-
-
-PAPER = (
-    ("Fig. 3 (a): merges", "itinerary-that-merges"),
-    ("Fig. 3 (b): creeps", "itinerary-that-creeps"),
-    ("Fig. 4 (a): from 6 mm", "start-at-6mm"),
-    ("Fig. 4 (b): with speed", "start-with-speed"),
-    ("Fig. 5: b = 0.05 N", "velocities"),
-    ("Fig. 5 (b): b = 0.2 N", "relative-motion-b02"),
-    ("Fig. 5 (b): b = 0.5 N", "relative-motion-b05"),
-)
-"""The paper's scenes by their shipped names; numbered as printed."""
-
-OWN = (
-    Button("Sticks permanently", ReducedScene(X=0.5, until=30)),
-    Button("Next to the critical orbit", ReducedScene(X=1, V1=-0.1, V2=-0.1, until=120)),
-    Button("Light driving body: merges", ReducedScene(ratio=0.1, X=1, V1=2, V2=2, until=40)),
-    Button("Damped", ReducedScene(zeta=0.1, V1=8, V2=-4, until=40)),
-    Button("Constant force", ReducedScene(constant=4, until=60)),
-    Button("Sine: entrained", ReducedScene(zeta=0.1, amplitude=1.5, omega=0.7, V1=3, until=120)),
-    Button("Sine: stick and slip", ReducedScene(zeta=0.1, amplitude=3, omega=0.7, until=120)),
-    Button("Sine: never sticks", ReducedScene(zeta=0.1, amplitude=10, omega=0.7, until=120)),
-    Button("Sine at resonance", ReducedScene(amplitude=2, omega=2**0.5, until=120)),
-)
-"""Scenes of ours, round numbers in reduced coordinates."""
 
 
 def reduced(scene: Scene) -> ReducedScene:
@@ -93,12 +59,16 @@ def reduced(scene: Scene) -> ReducedScene:
     )
 
 
-def paper_buttons() -> tuple[Button, ...]:
-    """Return the buttons of the paper's scenes."""
-    return tuple(_paper_button(label, load_scene(name)) for label, name in PAPER)
+def buttons() -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    """Return the buttons of `scenes.toml`, the paper's and ours: label, scene, and its units in SI, if it has such."""
+    paper = [{"label": label, **_of_paper(load_scene(name))} for label, name in SCENES["paper"].items()]
+    own = [
+        {"label": label, "scene": asdict(ReducedScene(**scene)), "units": ""} for label, scene in SCENES["own"].items()
+    ]
+    return paper, own
 
 
-def _paper_button(label: str, scene: Scene) -> Button:
+def _of_paper(scene: Scene) -> dict[str, Any]:
     length, rate = float(scene.pair.half_width), float(scene.pair.a2 / scene.pair.mass) ** 0.5
     units = f"One unit of length is L = {1000 * length:g} mm, of speed {1000 * length * rate:g} mm/s, of time {1 / rate:g} s."
-    return Button(label, reduced(scene), units)
+    return {"scene": asdict(reduced(scene)), "units": units}

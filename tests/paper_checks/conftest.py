@@ -137,4 +137,4 @@ def _sine():
 
 @pytest.fixture(scope="session")
 def figures():
-    return {"two-bodies": _sine, "sine": _sine}
+    return dict.fromkeys(("two-bodies", "sine", "sharp-rate"), _sine)

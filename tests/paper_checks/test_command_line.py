@@ -14,19 +14,17 @@ import paper_checks.report.output.pictures as pictures_module
 from numerics.trade.recorded import recorded
 from paper_checks.__main__ import main
 from paper_checks.claims import CLAIMS
-from paper_checks.report.content import euler_lessons, under_a_force
-from paper_checks.report.content.blocks import Section
+from paper_checks.report.content import document
 from paper_checks.report.formats import latex
 
 
 @pytest.fixture
 def small(monkeypatch, tmp_path_factory, rows, figures):
-    """The small ledger in the place of the real one, and a small trade; no chapter on its rows, no runs of Euler's."""
+    """The small ledger in the place of the real one, and a small trade; no chapter on forces."""
     machine = MACHINE | {"processor": "Slide rule"}
     shipped = planted(tmp_path_factory.mktemp("shipped"), machine=machine)
     monkeypatch.setattr(recorded_module, "recorded", lambda path=None: recorded(path) if path else shipped)
-    monkeypatch.setattr(under_a_force, "section", lambda: Section("under-a-force", "Under a force", ()))
-    monkeypatch.setattr(euler_lessons, "blocks", tuple)
+    monkeypatch.delitem(document.OF_ALL_CLAIMS, "under-a-force")
     monkeypatch.setattr(claims_module, "CLAIMS", tuple(row.claim for row in rows))
     monkeypatch.setattr(pictures_module, "FIGURES", figures)
 
@@ -50,11 +48,6 @@ def test_run_is_the_default_and_the_exit_code_tells(small, capsys, arguments, co
     assert captured.err == ""
     if "--json" in arguments:
         assert [item["id"] for item in json.loads(captured.out)] == ["energy-rate", "stiction-bracket"]
-
-
-def test_a_theorem_is_shown_with_its_hypotheses(capsys):
-    main(["forced-mode-rule"])
-    assert "Hypotheses: m₁,m₂,a₂,b>0. A force u(t) on body 1" in " ".join(capsys.readouterr().out.split())
 
 
 def test_an_unknown_id_gets_one_line_that_suggests(small, capsys):

@@ -260,5 +260,4 @@ def merging_share(seed: int) -> Case:
         carried("limit", limit),
         random_states(Fraction(3, 10), Fraction(4), 250, seed),
         random_states(Fraction(1, 2), Fraction(3, 2), 250, seed),
-        figure="merging-share",
     )

@@ -91,5 +91,4 @@ def rate_bounds_explicit() -> Case:
         lasts between $T_-$ and $T_+$; and between two exits $w$ lies between its values there.
         """,
         one_step,
-        figure="rate-bounds",
     )

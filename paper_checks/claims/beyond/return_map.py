@@ -227,5 +227,4 @@ def return_map_expansion() -> Case:
         carried("series", beyond),
         carried("remainder", lost),
         carried("time", kernel.step("cycle-time-exact"), cycle_time),
-        figure="return-map",
     )

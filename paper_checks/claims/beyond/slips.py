@@ -105,7 +105,6 @@ def excursion_closed_form() -> Case:
         $V'=0$ inside $S_0$ is below $E_{cr}$.
         """,
         landings,
-        figure="excursion-curves",
     )
 
 
@@ -146,5 +145,4 @@ def excursion_monotone() -> Case:
         increases with $\theta$.
         """,
         depth_grows,
-        figure="excursion-curves",
     )

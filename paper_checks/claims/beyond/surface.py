@@ -121,5 +121,4 @@ def rotating_force() -> Case:
     return because(
         "Under a rotating force a motion that rotates with it sticks up to one threshold and, unless body 1 resonates without a damper, slips at one speed above it: in axes that rotate with the force it is at rest, and its equations reduce to one quadratic for that speed. From the amplitude on at which sticking needs more than $b$ that speed is positive. With a damper every motion tends to this one: see forced-periodic-response.",
         one_quadratic,
-        figure="rotating-force",
     )

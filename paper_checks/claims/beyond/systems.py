@@ -60,5 +60,4 @@ def friction_in_any_direction() -> Case:
     return because(
         "With a friction that is a subgradient the flow is non-expansive in the energy norm, in any number of directions. The power of the difference of two friction forces on the difference of two slips is never negative, as both are subgradients of one function; nor is that of dampers and springs. Where friction only brakes, the energy bounds the path of the slip. The pair is the special case of one direction.",
         filippov.never_apart,
-        figure="two-motions",
     )

@@ -207,5 +207,4 @@ def uniform_rate() -> Case:
         slightly above $E_{cr}$ both constants exist (rate-one-over-t).
         """,
         carried("upper", from_above),
-        figure="uniform-rate",
     )

@@ -1,24 +1,21 @@
-"""The derivation as a chapter, and the lines of it that carry one claim: each line with what its checks found."""
+"""The derivation as a chapter: the lines that the claims of a report rest on, each with what its checks found."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any
 
 from paper_checks.decide import kernel
-from paper_checks.derivation.chapter import LINES, STAGES, lines_of, number
-from paper_checks.derivation.line import Drawn, Line, Stage, number_in
+from paper_checks.derivation.chapter import LINES, STAGES, number
+from paper_checks.derivation.line import Line, Stage, number_in
+from paper_checks.drawing.captions import caption
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, closure
-from paper_checks.report.content import blocks
-from paper_checks.report.content.blocks import Block, Heading, Paragraph, Section
-from paper_checks.report.content.phrases import picture
+from paper_checks.report.content.blocks import chapter
 from paper_checks.running.runner import Row
 
-ID, TITLE = "derivation", "The derivation, line by line"
-OPENING = """
-From the equations of motion to the $1/t$ law, every formula in order. Each line says what was done, which check accepted it,
-and which claim it carries. The formulas are printed from the expressions that the checks decide. A line that is an argument in
-words says so. Lines are numbered D1, D2, and so on; numbers in parentheses are those of the paper's equations.
-"""
 Theorems = Mapping[str, Evidence] | None
 """What the kernel found of theorems, by their ids; None where only their names are wanted."""
 TOOLS = {
@@ -30,83 +27,74 @@ TOOLS = {
 """What a kind of evidence is called beside a line."""
 
 
-def section(rows: Sequence[Row]) -> Section:
-    """Return the chapter; empty where the report does not have all the claims that it carries."""
-    if not is_whole(rows):
-        return Section(ID, TITLE, ())
-    found = {place: steps for row in rows for place, steps in of_row(row).items()}
-    theorems = {name: step for row in rows for name, step in _theorems(row).items()}
-    stages = (one for stage in STAGES for one in _stage(stage, found, theorems))
-    return Section(ID, TITLE, (Paragraph(OPENING), Paragraph(_contents(), "Stages"), *stages))
-
-
-def _contents() -> str:
-    """Return the titles of the stages with their first and last lines and their anchors."""
-    lines = ((stage, number(stage.lines[0]), number(stage.lines[-1])) for stage in STAGES)
-    return "; ".join(f"{stage.title} (D{first} to D{last}, `{stage.id}`)" for stage, first, last in lines) + "."
-
-
-def is_whole(rows: Sequence[Row]) -> bool:
-    """Return whether all the claims that the derivation carries are among the rows."""
-    return {name for line in LINES for name in line.claims} <= {row.claim.id for row in rows}
-
-
-def checked_anew(name: str = "") -> Iterator[Block]:
-    """Yield the stage of this anchor, or all, with what the checks find now; of the kernel's theorems only the names.
-
-    Raises KeyError where there is no such stage.
-    """
-    for stage in [{one.id: one for one in STAGES}[name]] if name else STAGES:
-        found = {number(line): line.evidence(number(line)) for line in stage.lines}
-        yield from _stage(stage, found, None)
-
-
-def of_row(row: Row) -> dict[int, Steps]:
-    """Return what the lines that a row rests on found, by their numbers."""
-    found: dict[int, Steps] = {}
-    for step in dict.fromkeys(step for proof in row.proofs for step in proof.bindings):
+def given(rows: Sequence[Row]) -> dict[str, Any]:
+    """Return what the chapter needs: the stages with the lines that carry some of these claims, and how lines are written."""
+    known = {row.claim.id for row in rows}
+    proofs = [proof for row in rows for proof in row.proofs]
+    theorems = {kernel.name_of(step): step for proof in proofs for step in proof.kernel}
+    found: dict[int, dict[Evidence, None]] = {}
+    for step in (step for proof in proofs for step in proof.bindings):
         if (place := number_in(step)) is not None:
-            found[place] = (*found.get(place, ()), step)
-    return found
+            found.setdefault(place, {})[step] = None
+    return {
+        "stages": [one for one in (_cut(stage, known) for stage in STAGES) if one.lines],
+        "whole": {name for line in LINES for name in line.claims} <= known,
+        "number": number,
+        "formulas": _formulas,
+        "remark": lambda line: remark(line, (*found.get(number(line), ()),), theorems),
+    }
 
 
-def _theorems(row: Row) -> dict[str, Evidence]:
-    return {kernel.name_of(step): step for proof in row.proofs for step in proof.kernel}
+def _cut(stage: Stage, known: set[str]) -> Stage:
+    """Return a stage without the lines that carry none of the claims."""
+    kept = (part for part in stage.parts if not isinstance(part, Line) or known & set(part.claims))
+    return replace(stage, parts=tuple(kept))
 
 
-def _stage(stage: Stage, found: Mapping[int, Steps], theorems: Theorems) -> Iterator[Block]:
-    yield Heading(stage.title, stage.id)
-    yield Paragraph(stage.assumed, "Assumed")
-    for part in stage.parts:
-        if isinstance(part, Line):
-            yield shown(part, found.get(number(part), ()), theorems, anchor=f"line-{number(part)}")
-        else:
-            yield picture(part.name) if isinstance(part, Drawn) else Paragraph(part)
+def markdown(*names: str, pictures: Collection[str] = ()) -> str:
+    """Return the stages of these anchors, or the chapter, as Markdown for documentation and notebooks, the lines checked anew.
+
+    Of the kernel's theorems it has the names only, and of the figures those of `pictures`. Raises KeyError where there is no
+    such stage, and ValueError where the check of a line does not pass.
+    """
+    known = {one.id: one for one in STAGES}
+    written = {
+        "number": number,
+        "formulas": _formulas,
+        "remark": lambda line: remark(line, line.evidence(number(line))),
+    }
+    texts = [chapter("stage", stage=known[name], **written) for name in names]
+    text = "".join(texts) if names else chapter("derivation", stages=STAGES, **written)
+    if failed := re.search(r"^(.*)\{\.failed\}$", text, re.MULTILINE):
+        raise ValueError(f"a line of the derivation is not checked: {failed[1]}")
+
+    def drawn(name: re.Match[str]) -> str:
+        title, said = caption(name[1])
+        return f"![{title}]({name[1]}.svg)\n\n*{title}.* {said}" if name[1] in pictures else ""
+
+    text = re.sub(
+        r"^!\[(.+)\]$", drawn, re.sub(r"\s*\{[#.][^}\n]*\}$", "", text, flags=re.MULTILINE), flags=re.MULTILINE
+    )
+    text = re.sub(r"\$\$(.+?)\$\$", r"\n\n$$\n\1\n$$\n\n", text)
+    return re.sub(r"\n[\n ]*\n", "\n\n", text).strip() + "\n"
 
 
-def shown(line: Line, found: Steps, theorems: Theorems, *, anchor: str = "", own: str = "") -> blocks.Line:
-    """Return a line with what its checks found and what the kernel says of its theorems; on the page of `own`, only of those it needs."""
+def _formulas(line: Line) -> str:
     try:
-        formula = line.latex()
+        return line.latex()
     except Exception as error:  # noqa: BLE001  a theory that is broken must not cost the reader the chapter
-        formula = f" (no formula: {type(error).__name__})"
-    failed = [step for step in found if step.passed is not True]
-    if failed or not found:
-        remark = (
-            f"Failed: {failed[0].value or failed[0].statement}" if failed else "Unchecked: its claim was not decided"
-        )
-    else:
-        names = [name for name in line.kernel.split() if not own or name in (theorems or {})]
-        remark = "Checked by: " + "; ".join([*tools(found), *_kernel(names, theorems)])
-    carried = ", ".join(f"`{name}`" for name in line.claims if name != own)
-    remark = f"{remark.rstrip('.')}." + f" Carries {'also ' * bool(own)}{carried}." * bool(carried)
-    passed = bool(found) and not failed
-    return blocks.Line(number(line), line.done + formula, remark, passed, anchor)
+        return f" (no formula: {type(error).__name__})"
 
 
-def tools(found: Steps) -> Iterable[str]:
-    """Return what believed a line: each tool once; under an argument, on how many checked steps it rests and what it cites."""
-    return dict.fromkeys(map(_tool, found))
+def remark(line: Line, found: Steps, theorems: Theorems = None) -> str:
+    """Return who believed a line, or why it is not believed, and the claims that it carries."""
+    carried = f" Carries {', '.join(f'`{name}`' for name in line.claims)}."
+    if failed := [step for step in found if step.passed is not True]:
+        return f"Failed: {(failed[0].value or failed[0].statement).rstrip('.')}.{carried} {{.failed}}"
+    if not found:
+        return f"Unchecked: its claim was not decided.{carried} {{.failed}}"
+    believed = dict.fromkeys((*map(_tool, found), *map(partial(_theorem, theorems), line.kernel.split())))
+    return f"Checked by: {'; '.join(believed)}.{carried} {{.remark}}"
 
 
 def _tool(step: Evidence) -> str:
@@ -117,17 +105,6 @@ def _tool(step: Evidence) -> str:
     return f"{TOOLS[step.kind]}, over {below} checked step{'s' * (below != 1)}{cited}"
 
 
-def _kernel(names: Sequence[str], theorems: Theorems) -> Iterator[str]:
-    for name in names:
-        known = theorems is None or (name in theorems and theorems[name].passed is True)
-        status = kernel.STATUS[theorems[name].passed] if theorems and name in theorems else kernel.NOT_RUN
-        yield f"kernel theorem `{name}`" + ("" if known else f" ({status})")
-
-
-def story(row: Row) -> Iterator[Block]:
-    """Yield the lines that carry a claim, for its own page."""
-    if lines := lines_of(row.claim.id):
-        found, theorems = of_row(row), _theorems(row)
-        places = ", ".join(f"D{number(line)}" for line in lines)
-        yield Paragraph(f"Lines {places} of the chapter `{ID}`.", "Derivation")
-        yield from (shown(line, found.get(number(line), ()), theorems, own=row.claim.id) for line in lines)
+def _theorem(theorems: Theorems, name: str) -> str:
+    status = "" if theorems is None else kernel.STATUS[theorems[name].passed] if name in theorems else kernel.NOT_RUN
+    return f"kernel theorem `{name}`" + (f" ({status})" if status not in ("", kernel.PROVED) else "")

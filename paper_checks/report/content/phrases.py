@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from paper_checks.claims import claim_named
 from paper_checks.decide.kernel import PROVED
-from paper_checks.drawing.captions import caption
-from paper_checks.evidence.claim import Claim, Kind
+from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.report.content.blocks import Picture
-from paper_checks.running.graph import Proof
 from paper_checks.running.runner import Row
 
-OUTCOMES = {True: "passed", False: "failed", None: "no answer"}
 COUNTED = {
     Verdict.HOLDS: ("holds", "hold"),
     Verdict.HOLDS_CORRECTED: ("holds after a correction", "hold after a correction"),
@@ -64,37 +59,15 @@ def listed(names: Sequence[str] | dict[str, None]) -> str:
     return f"{', '.join(most)} and {last}" if most else last
 
 
-def is_new_theorem(row: Row) -> bool:
-    """Return whether the row is a theorem beyond the paper that holds."""
-    return row.claim.kind is Kind.THEOREM and row.finding.verdict is Verdict.HOLDS
-
-
 def formula(row: str, clause: str, name: str) -> str:
     """Return LaTeX of a formula of a row: what stands there is what is checked."""
     found = next(one for one in claim_named(row).clauses if one.id == clause)
     return found.formulas[name].latex
 
 
-def picture(name: str) -> Picture:
-    """Return a figure with its title and caption."""
-    title, text = caption(name)
-    return Picture(name, text, title)
-
-
-def theorems(claim: Claim) -> str:
-    """Return the theorems of the kernel that a claim names, with commas between them."""
-    clauses = (*claim.clauses, *claim.correction)
-    return ", ".join(dict.fromkeys(f"`{name}`" for clause in clauses for name in clause.kernel))
-
-
-def speaker(claim: Claim) -> str:
-    """Return who says the statement, and where."""
-    return f"The paper {place(claim)}" if claim.kind is Kind.CLAIM else f"Theorem, {claim.where}"
-
-
-def place(claim: Claim) -> str:
-    """Return the place of a claim in brackets; an equation's number has them already."""
-    return claim.where if re.fullmatch(r"\([^()]*\)", claim.where) else f"({claim.where})"
+def coded(names: Iterable[str]) -> str:
+    """Return names as code, with commas between them."""
+    return ", ".join(f"`{name}`" for name in names)
 
 
 def section_title(name: str) -> str:
@@ -110,12 +83,6 @@ def kind(row: Row) -> str:
     """Return the weakest kind of step that the verdict needs, or a dash; and that the kernel was not run."""
     text = row.established_by.value if row.established_by else "–"
     return text if row.kernel in (None, PROVED) else f"{text} (kernel {row.kernel})"
-
-
-def kind_of(proof: Proof) -> str:
-    """Return what establishes a clause, and what the kernel says where it did not prove its theorems."""
-    by = proof.established_by.value if proof.established_by else "open"
-    return by if proof.kernel_status in (None, PROVED) else f"{by}, kernel {proof.kernel_status}"
 
 
 def in_short(row: Row) -> str:

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping
 from html import escape
 
 from jinja2 import Environment
 from markupsafe import Markup
 
-from paper_checks.claims import source
+from paper_checks.drawing.captions import caption
 from paper_checks.explore import motion, page
-from paper_checks.proofs.audit import register
-from paper_checks.report.content import derivation, opening, phrases, shared, story, trust
-from paper_checks.report.content.blocks import Block
-from paper_checks.report.content.document import Document
-from paper_checks.report.formats.texts import Texts, templates
+from paper_checks.report.content import phrases, story
+from paper_checks.report.content.blocks import Section
+from paper_checks.report.content.document import TITLE, Document
+from paper_checks.report.formats.texts import target, templates
 from paper_checks.report.mathematics import prose
 
 FRONT, EXPLORE = "report.html", "explore.html"
@@ -28,57 +27,45 @@ def render(report: Document, figures: Mapping[str, str]) -> dict[str, str]:
     Everything but the SVG is escaped; a figure that is absent is said to be.
     """
     drawn = {name: figures[name] for name in report.pictures if name in figures}
-    text = _pages(Texts(report.anchors, prose.html, _code), drawn).get_template("report.html")
+    text = _pages(report.anchors, drawn).get_template("report.html")
     return {
         **{f"figures/{name}.svg": svg for name, svg in drawn.items()},
         EXPLORE: page.page(row.claim.id for row in report.rows),
-        FRONT: text.render(
-            report=report,
-            motion=motion.section(),
-            cited=register(),
-            say=phrases,
-            story=story,
-            derivation=derivation,
-            opening=opening,
-            shared=shared,
-            trust=trust,
-            source=source,
-        ),
+        FRONT: text.render(report=report, title=TITLE, motion=motion.section(), say=phrases, story=story),
     }
 
 
-def fragment(blocks: Sequence[Block]) -> str:
-    """Return blocks as a piece of a page."""
-    macros = _pages(Texts((), prose.html, _code), {}).get_template("blocks.html").module
-    return str(macros.body(blocks, 3))  # type: ignore[attr-defined]
+def fragment(section: Section) -> str:
+    """Return the blocks of a section, without its figures, as a piece of a page."""
+    macros = _pages((), {}).get_template("blocks.html").module
+    return str(macros.body([one for one in section.blocks if one.kind != "picture"]))  # type: ignore[attr-defined]
 
 
-def _pages(texts: Texts, figures: Mapping[str, str]) -> Environment:
+def _pages(anchors: Collection[str], figures: Mapping[str, str]) -> Environment:
     """Return the environment of the page's templates: how texts are written, and the sizes of the figures there are."""
-    pages = templates(autoescape=True)
+
+    def linked(word: str, shown: str) -> Markup:
+        place = target(word, anchors)
+        return Markup(f'<a href="#{place}">{shown}</a>' if place else shown)
+
+    def code(word: str) -> Markup:
+        """Return code that may be broken at its hyphens, where it is one word."""
+        return linked(word, f"<code>{escape(word) if ' ' in word else escape(word).replace('-', '-<wbr>')}</code>")
 
     def lines(text: str) -> Markup:
         """Return lines of code in which each name that is an anchor is a link."""
-        return Markup(_WORD.sub(lambda word: _linked(word[0], texts.target(word[0])), escape(text, quote=False)))
+        return Markup(_WORD.sub(lambda word: linked(word[0], word[0]), escape(text, quote=False)))
 
+    pages = templates(lambda text: Markup(prose.html(text)), code, autoescape=True)
+    text = pages.filters["text"]
     pages.filters |= {
-        "text": lambda text: Markup(texts(text)),
-        "unlinked": lambda text: Markup(prose.html(text.replace("`", ""))),
-        "plain": lambda text: prose.plain(text).replace("`", ""),
+        "text": lambda source: Markup(text(source)),
+        "unlinked": lambda source: Markup(prose.html(source.replace("`", ""))),
+        "plain": lambda source: prose.plain(source).replace("`", ""),
         "lines": lines,
     }
-    pages.globals["sizes"] = {name: _size(svg) for name, svg in figures.items()}
+    pages.globals |= {"sizes": {name: _size(svg) for name, svg in figures.items()}, "caption": caption}
     return pages
-
-
-def _code(code: str, target: str | None) -> str:
-    """Return code that may be broken at its hyphens, where it is one word; a link where it has a target."""
-    shown = escape(code) if " " in code else escape(code).replace("-", "-<wbr>")
-    return _linked(f"<code>{shown}</code>", target)
-
-
-def _linked(shown: str, target: str | None) -> str:
-    return f'<a href="#{target}">{shown}</a>' if target else shown
 
 
 def _size(svg: str) -> tuple[int, int]:

@@ -7,15 +7,14 @@ import re
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Mapping
-from itertools import chain
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from paper_checks.drawing.captions import caption
 from paper_checks.errors import ToolMissingError
-from paper_checks.report.content import blocks, citation, paper
-from paper_checks.report.content.blocks import Table
-from paper_checks.report.content.document import Document
-from paper_checks.report.formats.texts import Texts, templates
+from paper_checks.report.content import citation
+from paper_checks.report.content.document import TITLE, Document
+from paper_checks.report.formats.texts import target, templates
 from paper_checks.report.mathematics.prose import latex, plain
 
 REMEDY = "a PDF needs pdflatex on the PATH (TeX Live, or any other TeX); --format latex writes its source without it"
@@ -33,18 +32,20 @@ ROW, WIDE = 70, 90
 
 def render(report: Document, figures: Mapping[str, str]) -> str:
     """Return the source. `figures` maps a figure's name to the file, beside the source, that holds it."""
-    before, *sections = paper.sections(report)
-    numbered = frozenset(one.id for one in sections)
+    numbered = {one.id for one in report.chapters}
 
-    def code(word: str, target: str | None) -> str:
+    def code(word: str) -> str:
         """Return code that may be broken at its hyphens and dots; the anchor of a section is that section's number."""
         if word in numbered:
             return rf"Section~\ref{{{word}}}"
         shown = latex(word).replace("--", "-{-}")  # two hyphens must not join to a dash
         breakable = shown if " " in word else _BREAK.sub(r"\\allowbreak{}", shown)
-        return rf"\hyperref[{target}]{{\texttt{{{breakable}}}}}" if target else rf"\texttt{{{breakable}}}"
+        place = target(word, report.anchors)
+        return rf"\hyperref[{place}]{{\texttt{{{breakable}}}}}" if place else rf"\texttt{{{breakable}}}"
 
-    paper_of = templates(
+    paper = templates(
+        lambda text: latex(text.replace("<br>", " ")),
+        code,
         block_start_string="<%",
         block_end_string="%>",
         variable_start_string="<<",
@@ -52,21 +53,17 @@ def render(report: Document, figures: Mapping[str, str]) -> str:
         comment_start_string="<#",
         comment_end_string="#>",
     )
-    text = Texts(chain.from_iterable(map(blocks.anchors, sections)), latex, code)
-    paper_of.filters |= {"text": text, "latex": latex, "shares": shares, "side_by_side": _side_by_side}
-    paper_of.globals |= {"files": figures, "of_package": citation.of_package}
-    return paper_of.get_template("report.tex").render(report=report, before=before, sections=sections)
+    paper.filters |= {"latex": latex, "shares": shares, "side_by_side": _side_by_side}
+    paper.globals |= {"files": figures, "caption": caption, "of_package": citation.of_package}
+    return paper.get_template("report.tex").render(report=report, title=TITLE)
 
 
-def shares(table: Table) -> list[float]:
+def shares(rows: Sequence[Sequence[str]]) -> list[float]:
     """Return the share of each column of the width (dimensionless, their sum 1).
 
     Each has room for its longest word; what is left goes by the length of its longest text.
     """
-    columns = [
-        [plain(line) for cell in column for line in cell.split("\n")]
-        for column in zip(table.head, *table.rows, strict=True)
-    ]
+    columns = [[plain(line) for cell in column for line in cell.split("<br>")] for column in zip(*rows, strict=True)]
     least = [max(len(word) for line in column for word in _WORDS.findall(line)) / WIDE for column in columns]
     wishes = [max(map(len, column)) for column in columns]
     if (left := 1 - sum(least)) <= 0:
@@ -80,16 +77,11 @@ def _side_by_side(text: str) -> str:
     return joined if len(_COMMANDS.sub("", joined.partition("$$")[2])) <= ROW else text
 
 
-def pdf(source: str, figures: Mapping[str, bytes]) -> bytes:
-    """Return the PDF of a source with its figures by file, the same bytes every time.
+def typeset(source: str, figures: Mapping[str, bytes]) -> tuple[bytes, str]:
+    """Return the PDF of a source with its figures by file, the same bytes every time, and TeX's log.
 
     Raises ToolMissingError without pdflatex, and RuntimeError with the end of the log where TeX refuses the source.
     """
-    return typeset(source, figures)[0]
-
-
-def typeset(source: str, figures: Mapping[str, bytes]) -> tuple[bytes, str]:
-    """Return the PDF and TeX's log; raises as `pdf` does."""
     if problem := missing():
         raise ToolMissingError(problem)
     with tempfile.TemporaryDirectory() as name:

@@ -12,10 +12,10 @@ _NO_SVG_METADATA = {"Date": None, "Creator": None, "Format": None, "Type": None}
 _NO_PDF_METADATA = {"CreationDate": None, "Creator": None, "Producer": None}
 
 
-def svg(figure: Figure) -> str:
-    """Return the figure as SVG text; letters are outlines, so that it looks the same everywhere."""
+def svg(figure: Figure) -> bytes:
+    """Return the figure as an SVG file's bytes; letters are outlines, so that it looks the same everywhere."""
     with mpl.rc_context({"svg.hashsalt": "paper_checks", "svg.fonttype": "path"}):
-        return _saved(figure, "svg", _NO_SVG_METADATA).decode()
+        return _saved(figure, "svg", _NO_SVG_METADATA)
 
 
 def pdf(figure: Figure) -> bytes:

@@ -22,11 +22,10 @@ _LONG_NUMBER = re.compile(r"\d{24,}")
 _TEX = str.maketrans({
     "&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "{": r"\{", "}": r"\}", "$": r"\$", "\\": r"\textbackslash{}",
     "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}",
-    "≤": r"$\leq$", "≥": r"$\geq$", "≠": r"$\neq$", "≈": r"$\approx$", "±": r"$\pm$", "∓": r"$\mp$", "×": r"$\times$",
-    "·": r"$\cdot$", "→": r"$\to$", "∞": r"$\infty$", "−": "$-$", "²": "$^2$", "³": "$^3$", "√": r"$\surd$", "∈": r"$\in$",
-    "π": r"$\pi$", "τ": r"$\tau$", "Ω": r"$\Omega$", "Φ": r"$\Phi$", "Δ": r"$\Delta$", "θ": r"$\theta$", "ζ": r"$\zeta$",
 })  # fmt: skip
-"""What pdfTeX sets for a character that means something else to it, or for which its fonts have no glyph."""
+"""What stands for a character that means something else to TeX."""
+_DECLARED = "–—‘’“”…≤≥≠≈∓→∞−√∈πτΩΦΔθζ"
+"""Characters beyond Latin that TeX knows, or that the template declares to it."""
 LONG = 36
 """Characters from which on an inline formula may be wider than its column, so that it has to be scrolled."""
 
@@ -93,7 +92,7 @@ def _latex_piece(kind: Span, content: str) -> str:
     if kind is not Span.PROSE:
         return f"${content}$" if kind is Span.INLINE else f"\\[{content}\\]"
     known = "".join(
-        one if ord(one) in _TEX or one < "\u0180" or one in "–—‘’“”…" else f"[U+{ord(one):04X}]" for one in content
+        one if ord(one) in _TEX or one < "\u0180" or one in _DECLARED else f"[U+{ord(one):04X}]" for one in content
     )
     breakable = _LONG_NUMBER.sub(lambda number: "\0".join(re.findall(".{1,8}", number[0])), known)
     return breakable.translate(_TEX).replace("\0", r"\allowbreak{}")

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from numerics.exits import path
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from numerics.trade.recorded import Trade
     from paper_checks.evidence.claim import Claim
-    from paper_checks.report.output.files import Files
+    from paper_checks.report.content.document import Document
     from paper_checks.running.runner import Row
 
 # Everything that is not needed for --help is imported where it is used.
@@ -73,51 +71,60 @@ def report(
         complain(remedy)
         return UNCHECKED
     rows = run(claims)
-    complaints: list[str] = []
     try:
-        paths = _written(options, rows, trade, complaints)
+        lost = _write(options, rows, trade)
     except OSError as error:
         complain(f"the report cannot be written: {error.filename}: {error.strerror}; choose another folder with --out")
         return USAGE
     except ToolMissingError as error:
         complain(str(error))
         return UNCHECKED
-    for complaint in complaints:
-        complain(complaint)
-    print(*paths, sep="\n")
-    return exit_code(rows) or (UNCHECKED if complaints else 0)
+    for reason in lost:
+        complain(reason)
+    return exit_code(rows) or (UNCHECKED if lost else 0)
 
 
-def _written(options: argparse.Namespace, rows: Sequence[Row], trade: Trade, complaints: list[str]) -> list[Path]:
-    """Write each form, and return the main files. Raises OSError, ToolMissingError."""
-    from paper_checks.report.output.files import placed
-
-    return [placed(options.out, made) for made in _made(options, rows, trade, complaints)]
-
-
-def _made(options: argparse.Namespace, rows: Sequence[Row], trade: Trade, complaints: list[str]) -> Iterator[Files]:
-    """Yield the files of each form that is wanted; why a figure was not drawn is added to the complaints."""
+def _write(options: argparse.Namespace, rows: Sequence[Row], trade: Trade) -> list[str]:
+    """Write each form, print its main file, and return why figures were not drawn. Raises OSError, ToolMissingError."""
     from numerics.tasks import available_cores
+    from paper_checks import atomic
     from paper_checks.claims import CLAIMS
-    from paper_checks.report.content import speed, under_a_force
-    from paper_checks.report.content.document import document
+    from paper_checks.report.content.document import document, paper
     from paper_checks.report.formats import progress
-    from paper_checks.report.output import files, pictures  # with them comes matplotlib
+    from paper_checks.report.output.pictures import Drawing, made  # with it comes matplotlib
 
-    whole = "html" in options.format and len(rows) == len(CLAIMS)  # chapters are pages only
-    chapters = [under_a_force.section(), speed.section(trade)] if whole else []
-    report = document(rows, chapters, [*speed.answers(trade)] if whole else [])
-    names = {form: files.shown_in(form, report) for form in options.format}
-    drawings = dict.fromkeys(pictures.Drawing(name, files.FIGURES_OF[form]) for form in names for name in names[form])
-    found: dict[pictures.Drawing, bytes | pictures.Undrawn] = {}
-    with progress.figures(len(drawings)) as told:
-        jobs = options.jobs or (available_cores() if options.program else 1)
-        for one, made in pictures.made([*drawings], trade, jobs):
-            told(one.name)
-            found[one] = made
-    for form, some in names.items():
-        drawn = {name: found[pictures.Drawing(name, files.FIGURES_OF[form])] for name in some}
-        yield files.made(form, report, pictures.shown(drawn, complaints))
+    whole = trade if len(rows) == len(CLAIMS) else None
+    reports = {form: document(rows, whole) if form == "html" else paper(rows) for form in options.format}
+    kinds = {form: "svg" if form == "html" else "pdf" for form in reports}
+    wanted = dict.fromkeys(Drawing(name, kinds[form]) for form, one in reports.items() for name in one.pictures)
+    found: dict[Drawing, bytes] = {}
+    lost: dict[str, None] = {}
+    with progress.steps(len(wanted)) as step:
+        for one, drawn in made([*wanted], trade, options.jobs or (available_cores() if options.program else 1)):
+            step(one.name, 1, "")
+            if isinstance(drawn, bytes):
+                found[one] = drawn
+            else:
+                lost[drawn] = None
+    for form, told in reports.items():
+        drawings = ((name, found.get(Drawing(name, kinds[form]))) for name in told.pictures)
+        files = written(form, told, {name: content for name, content in drawings if content})
+        for file, text in files.items():
+            atomic.write(options.out / file, text)
+        print(options.out / [*files][-1])
+    return [*lost]
+
+
+def written(form: str, report: Document, figures: Mapping[str, bytes]) -> Mapping[str, bytes | str]:
+    """Return the files of one of the forms, the main one last. Raises ToolMissingError for a PDF without TeX."""
+    from paper_checks.report.formats import html, latex
+
+    if form == "html":
+        return html.render(report, {name: content.decode() for name, content in figures.items()})
+    names = {one: f"figures/{one}.pdf" for one in figures}
+    drawn = {names[one]: content for one, content in figures.items()}
+    text = latex.render(report, names)
+    return {"report.pdf": latex.typeset(text, drawn)[0]} if form == "pdf" else {**drawn, "report.tex": text}
 
 
 def is_the_source(options: argparse.Namespace, complain: Callable[[str], None]) -> int:

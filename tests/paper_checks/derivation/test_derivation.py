@@ -1,6 +1,7 @@
 """The derivation: each line is checked, a wrong formula turns it, and a line that does not pass turns its claims."""
 
-import importlib.util
+import re
+import runpy
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -11,10 +12,9 @@ from paper_checks.claims import claim_named
 from paper_checks.derivation import energy, rate, slip, surface
 from paper_checks.derivation.chapter import LINES, STAGES
 from paper_checks.derivation.line import clause_named
-from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.report.content import blocks, derivation
-from paper_checks.report.formats import markdown
+from paper_checks.report.content import derivation
+from paper_checks.report.content.blocks import chapter
 from paper_checks.running import runner
 from paper_checks.running.planting import faults
 from paper_checks.running.rows import rows
@@ -34,7 +34,7 @@ def passes(line):
 def test_every_line_is_checked_and_each_fault_in_its_formulas_turns_it(place):
     line = LINES[place - 1]
     assert passes(line)
-    for formula in line.formulas():
+    for formula in line.made():
         wrong = [one for _, one in faults(formula)]
         assert wrong
         assert not [one.latex for one in wrong if passes(replace(line, formulas=lambda one=one: (one,)))]
@@ -72,53 +72,50 @@ def row_of(name):
     return rows([claim_named(name)], Context())[0]
 
 
-def shown(row):
-    """The lines on the page of a row."""
-    return [block for block in derivation.story(row) if isinstance(block, blocks.Line)]
+def shown(*rows):
+    """The lines of the chapter on some rows: by number, what was done and what is remarked."""
+    text = chapter("derivation", **derivation.given(rows))
+    found = re.findall(r"^\*\*D(\d+)\.\*\* (.*?) \{#line-D\1\}\n\n(.*?)$", text, re.DOTALL | re.MULTILINE)
+    return {int(number): (done, remark) for number, done, remark in found}
 
 
 def test_a_wrong_sign_in_theory_is_said_on_the_line_and_turns_verdict_and_exit_code(monkeypatch):
-    sound = row_of("vector-fields")
-    assert [line.passed for line in shown(sound)] == [True] * 3
+    lines = [place for place in PLACES if "vector-fields" in LINES[place - 1].claims]
+    sound = shown(row_of("vector-fields"))
+    assert [*sound] == lines
+    assert all(remark.startswith("Checked by: ") for _, remark in sound.values())
     monkeypatch.setattr(surface, "phi", lambda sign, right=surface.phi: right(-sign))
     broken = row_of("vector-fields")
     assert (broken.finding.verdict, runner.exit_code([broken])) == (Verdict.UNDECIDED, 1)
-    assert not any(line.passed for line in shown(broken))
-    assert all("Failed: difference" in line.remark for line in shown(broken))
+    assert all(remark.startswith("Failed: difference") for _, remark in shown(broken).values())
+    with pytest.raises(ValueError, match="not checked: Failed: difference"):
+        derivation.markdown("derivation-fields")
 
 
-def test_a_line_without_a_solver_or_without_its_row_is_unchecked(monkeypatch):
+def test_a_line_without_a_solver_is_unchecked(monkeypatch):
     monkeypatch.setitem(sys.modules, "z3", None)
     row = row_of("transversality-strip")
     assert (row.finding.verdict, runner.exit_code([row])) == (Verdict.UNCHECKED, 3)
-    assert {line.passed for line in shown(row)} == {False}
-    assert all(line.remark.startswith("Unchecked") for line in shown(row))
+    assert all(remark.startswith("Unchecked") for _, remark in shown(row).values())
 
 
 def test_a_formula_that_cannot_be_derived_costs_itself_only(monkeypatch):
     monkeypatch.setattr(surface, "phi", lambda sign: 1 / 0)
     row = row_of("vector-fields")
     assert row.finding.verdict is Verdict.UNDECIDED
-    assert "no formula: ZeroDivisionError" in shown(row)[0].text
+    assert "no formula: ZeroDivisionError" in next(iter(shown(row).values()))[0]
 
 
-def test_a_claim_has_its_lines_in_order_and_the_chapter_has_all_of_them():
-    for name in ("critical-energy", "sharp-rate-constant", "transversality-outside", "sliding-region"):
-        numbers = [line.number for line in shown(row_of(name))]
-        assert numbers == sorted(numbers)
-        assert numbers == [place for place in PLACES if name in LINES[place - 1].claims]
-    assert [one.number for one in derivation.checked_anew() if isinstance(one, blocks.Line)] == list(PLACES)
-
-
-def test_the_chapter_needs_all_its_claims_and_then_takes_what_their_rows_found():
-    names = dict.fromkeys(name for line in LINES for name in line.claims)
-    assert not derivation.section([row_of("critical-energy")]).blocks
-    rows = [row_of(name) for name in names]
-    found = [block for block in derivation.section(rows).blocks if isinstance(block, blocks.Line)]
-    assert [line.passed for line in found] == [True] * len(LINES)
-    kinds = {step.kind for row in rows for steps in derivation.of_row(row).values() for step in steps}
-    assert kinds == {EvidenceKind.EXACT, EvidenceKind.SMT, EvidenceKind.ENCLOSURE, EvidenceKind.ARGUMENT}
-    assert all("argument in words" in line.remark for line in found if line.number in (5, 32, 36))
+def test_the_chapter_has_all_lines_in_order_with_what_their_rows_found():
+    rows = [row_of(name) for name in dict.fromkeys(name for line in LINES for name in line.claims)]
+    found = shown(*rows)
+    assert [*found] == [*PLACES]
+    remarks = [remark for _, remark in found.values()]
+    assert all(remark.startswith("Checked by: ") for remark in remarks)
+    assert all(any(tool in remark for remark in remarks) for tool in derivation.TOOLS.values())
+    assert all("argument in words" in found[number][1] for number in (5, 32, 36))
+    assert derivation.given(rows)["whole"]
+    assert not derivation.given(rows[1:])["whole"]
 
 
 def test_the_order_is_that_of_the_paper_and_each_stage_says_what_it_assumes():
@@ -132,17 +129,14 @@ def test_the_order_is_that_of_the_paper_and_each_stage_says_what_it_assumes():
 
 
 def test_the_page_in_the_documentation_is_what_is_generated():
-    spec = importlib.util.spec_from_file_location("docs_derivation", DOCS / "derivation.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    assert (DOCS / "derivation.md").read_text("utf-8") == module.page(), "python docs/derivation.py writes it"
-    with pytest.raises(ValueError, match="no block"):
-        markdown.written([blocks.Line(1, "x", "y", passed=False)])
+    module = runpy.run_path(str(DOCS / "derivation.py"))
+    assert (DOCS / "derivation.md").read_text("utf-8") == module["page"](), "python docs/derivation.py writes it"
 
 
-def test_a_theorem_is_not_run_in_the_chapter_and_not_named_on_the_page_of_a_claim_that_does_not_need_it():
+def test_a_theorem_that_was_not_run_is_said_to_be():
     line = next(line for line in LINES if line.kernel)
-    found = line.evidence(1)
-    assert "kernel theorem" in derivation.shown(line, found, {}).remark
-    assert "(not run)" in derivation.shown(line, found, {}).remark
-    assert "kernel theorem" not in derivation.shown(line, found, {}, own=line.claims[0]).remark
+    found, name = line.evidence(1), line.kernel.split()[0]
+    assert f"kernel theorem `{name}` (not run)" in derivation.remark(line, found, {})
+    assert f"kernel theorem `{name}`" in derivation.remark(line, found)
+    assert "not run" not in derivation.remark(line, found)
+    assert derivation.remark(line, [replace(found[0], passed=None)]).startswith("Failed")

@@ -11,7 +11,7 @@ from numerics import Force, Pair, load_scene
 from paper_checks.__main__ import main
 from paper_checks.claims import CLAIMS
 from paper_checks.explore.page import source
-from paper_checks.explore.scenes import PAPER, reduced
+from paper_checks.explore.scenes import SCENES, reduced
 
 
 @pytest.fixture(scope="module")
@@ -37,8 +37,8 @@ def test_every_id_is_its_own_and_every_control_has_a_name(elements):
 
 def test_the_papers_scenes_are_those_of_the_files(whole):
     data = json.loads(re.search(r"const EXPLORE = (\{.*\});", whole).group(1))
-    for number, (_, name) in enumerate(PAPER):
-        told, scene = data["scenes"][number]["scene"], load_scene(name)
+    for shown, name in zip(data["scenes"], SCENES["paper"].values(), strict=False):
+        told, scene = shown["scene"], load_scene(name)
         assert told["ratio"] == float(scene.pair.m1 / scene.pair.m2)
         energy = told["X"] ** 2 + (told["ratio"] * told["V1"] ** 2 + told["V2"] ** 2) / (1 + told["ratio"])
         assert energy - 1 == pytest.approx(float(scene.energy_excess))
@@ -49,9 +49,8 @@ def test_the_papers_scenes_are_those_of_the_files(whole):
 
 def test_what_the_page_knows_survives_the_reduction_and_other_forces_are_refused():
     scene = load_scene("velocities")
-    found = reduced(
-        replace(scene, pair=Pair(1, 1, 200, "0.05", a1=20), force=Force.step(0, "0.1") + Force.sine("0.2", 20))
-    )
+    pair, force = Pair(1, 1, 200, "0.05", a1=20), Force.step(0, "0.1") + Force.sine("0.2", 20)
+    found = reduced(replace(scene, pair=pair, force=force))
     assert (found.zeta, found.constant, found.amplitude, found.omega) == pytest.approx((0.5, 2, 4, 2))
     assert reduced(load_scene("velocities-literal")).literal
     two = Force.sine(1, 1) + Force.sine(1, 2)

@@ -1,4 +1,4 @@
-"""Every form but paper tells every row whole, theorems beyond the paper as ours; the terminal is readable in a pipe."""
+"""Every form tells every claim whole, theorems beyond the paper as ours; the terminal is readable in a pipe."""
 
 import io
 import json
@@ -9,11 +9,14 @@ from html import unescape
 import pytest
 from rich.console import Console
 
-from paper_checks.evidence.claim import Claim, Kind
+from paper_checks.claims import CLAIMS, claim_named
+from paper_checks.evidence.claim import FREE, UNDER_A_FORCE, Claim, Kind
+from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.report.content import opening, paper
-from paper_checks.report.content.document import document
+from paper_checks.proofs.audit import recorded
+from paper_checks.report.content import kernel, story, trust
+from paper_checks.report.content.document import document, paper
 from paper_checks.report.content.phrases import headline
 from paper_checks.report.formats import html, latex
 from paper_checks.report.formats import json as json_report
@@ -22,6 +25,8 @@ from paper_checks.running.graph import proofs
 from paper_checks.running.runner import Row
 
 PROVED = Evidence(EvidenceKind.EXACT, "sympy", "$1=1$", True, value="y = x**2")
+NOT_JUDGED = Claim("opinion", "I", "first paragraph", "It matters.", Verdict.NOT_JUDGED)
+LEFT = Row(NOT_JUDGED, Finding(Verdict.NOT_JUDGED, "An opinion. No more.", ()))
 
 
 @pytest.fixture
@@ -31,20 +36,21 @@ def theorem():
     return replace(row, proofs=proofs(row.claim, row.finding))
 
 
-def console(stream, width=80):
-    return Console(file=stream, width=width, highlight=False)
-
-
-def printed(rows, width=80, **options):
+def printed(rows, width=80, show=print_rows, **options):
     stream = io.StringIO()
-    print_rows(console(stream, width), rows, **options)
+    show(Console(file=stream, width=width, highlight=False), rows, **options)
     return stream.getvalue()
 
 
+def page(rows):
+    return unescape(html.render(document(rows), {})[html.FRONT])
+
+
 FORMS = {
-    "terminal": lambda row: printed([row]),
-    "html": lambda row: unescape(html.render(document([row]), {})[html.FRONT]),
+    "terminal": lambda row: printed([row], 1000),
+    "html": lambda row: page([row]),
     "json": lambda row: json_report.render([row]),
+    "latex": lambda row: latex.render(paper([row]), {}),
 }
 
 
@@ -56,9 +62,13 @@ def words(text):
 @pytest.mark.parametrize("form", FORMS)
 def test_every_form_tells_all_of_a_row(rows, theorem, form):
     for row in (*rows, theorem):
-        told, found = " ".join(FORMS[form](row).split()), row.finding
-        texts = row.claim.id, found.verdict.value, row.claim.statement, row.claim.where, found.reason
-        for text in (*texts, found.corrected or "", found.counterexample or "", found.missing or ""):
+        told, claim, found = " ".join(FORMS[form](row).split()), row.claim, row.finding
+        texts = [claim.id, claim.statement, found.corrected, found.counterexample, found.missing]
+        if form == "latex":  # print has the reason where nothing is corrected, and theorems by their statement
+            texts += [found.reason] if claim.kind is Kind.CLAIM and not found.corrected else []
+        else:
+            texts += [found.verdict.value, found.reason, *(step.statement for step in found.evidence)]
+        for text in filter(None, texts):
             assert words(text) in told, text
 
 
@@ -72,20 +82,15 @@ def test_the_table_fits_80_columns_and_keeps_the_ids(rows):
     assert ["example-stiction-never-violated", "refuted", "argument"] in [line[:3] for line in table]
     assert "\x1b" not in text
     assert ("seconds" in text, "1.2" in printed(rows, times=True)) == (False, True)
-    row, listed = rows[1], io.StringIO()
-    both = (*row.finding.evidence, row.finding.evidence[-1].as_counterexample())
-    shared = printed([replace(row, finding=replace(row.finding, evidence=both))])
-    assert shared.count("- smt (z3 and cvc5)") == 1  # a step that two parts share
-    print_claims(console(listed, 100), [row.claim for row in rows])
-    lines = {line.split()[0]: line for line in listed.getvalue().splitlines() if line.strip()}
-    assert all(f" {one.claim.recorded.value} " in lines[one.claim.id] for one in rows)
+    listed = printed([row.claim for row in rows], 100, print_claims).splitlines()
+    shown = {line.split()[0]: line for line in listed if line.strip()}
+    assert all(f" {one.claim.recorded.value} " in shown[one.claim.id] for one in rows)
 
 
 def test_rows_are_counted_and_those_that_differ_from_the_record_are_named(rows):
     text = " ".join(printed(rows).split())
-    assert text.startswith(
-        "1 claim differs from the record. Fails first: a proof of w→0 turns 1 claim: rate-one-over-t"
-    )
+    first = "1 claim differs from the record. Fails first: a proof of w→0 turns 1 claim: rate-one-over-t"
+    assert text.startswith(first)
     assert "differs from the record: undecided, recorded holds: rate-one-over-t" in text
     assert "unchecked, because a tool is missing: hostile" in text
     counted = "1 holds, 1 holds after a correction, 1 is refuted, 1 is undecided and 1 is unchecked for lack of a tool."
@@ -104,40 +109,73 @@ def test_json_has_the_shape_of_the_design(rows, theorem):
     assert data[-1]["evidence"][0]["value"] == "y = x**2"
 
 
-# theorems beyond the paper, and what is not judged
-
-
 def test_statements_that_are_not_judged_are_no_claims(rows, theorem):
-    claim = Claim("opinion", "I", "first paragraph", "It matters.", Verdict.NOT_JUDGED)
-    left = Row(claim, Finding(Verdict.NOT_JUDGED, "An opinion.", ()))
-    assert headline([left]) == "1 statement is not judged."
+    assert headline([LEFT]) == "1 statement is not judged."
     judged = headline([*rows, theorem]).partition(". ")
-    assert headline([*rows, left, left, theorem]) == f"{judged[0]}; 2 further statements are not judged. {judged[2]}"
-    titles = {one.id: one.title for one in paper.sections(document([*rows, left]))}
+    assert headline([*rows, LEFT, LEFT, theorem]) == f"{judged[0]}; 2 further statements are not judged. {judged[2]}"
+    titles = {one.id: one.title for one in paper([*rows, LEFT]).chapters}
     assert titles["not-judged"] == "Statements that are not judged"
     assert titles["refuted"] == "Claims that are refuted"
+    assert "An opinion. No more." in page([LEFT]).partition('class="chapter" id="not-judged"')[2]
 
 
 def test_theorems_are_counted_apart_filtered_listed_and_told_as_ours(rows, theorem):
-    page = html.render(document([*rows, theorem]), {})[html.FRONT]
-    assert ". Of 1 theorem beyond it 1 is proved." in page
-    assert {"Section III", "Theorems"} <= {*re.findall(r'data-section="([^"]*)"', page)}
-    assert "The limit is one." in page.partition('class="chapter" id="new"')[2]
-    assert "Theorem, beyond the paper: x=1 for all q." in printed([theorem])
-
-
-def test_the_count_says_how_strong_they_are(rows, theorem):
-    counted = [int(number) for _, *numbers in opening.strengths([theorem, *rows]) for number in numbers]
-    assert sum(counted) == sum(one.established_by is not None for one in (theorem, *rows))
+    text = page([*rows, theorem])
+    assert ". Of 1 theorem beyond it 1 is proved." in text
+    assert {"Section III", "Theorems"} <= {*re.findall(r'data-section="([^"]*)"', text)}
+    assert "The limit is one." in text.partition('class="chapter" id="new"')[2]
+    assert "Hypotheses: m₁,m₂,a₂,b>0. No damper" in printed([theorem])
+    assert "Theorem: x=1 for all q." in printed([theorem])
 
 
 def test_a_part_that_is_open_is_counted_and_told(rows, theorem):
     part = replace(theorem, claim=replace(theorem.claim, open=("Whether $x=2$.",)))
     assert headline([part, theorem]) == "Of 2 theorems beyond the paper 2 are proved. 1 leaves a part open."
     assert "open" not in headline([theorem])
-    assert opening.still_open([part]).blocks[1].items == ("Whether $x=2$. (`sharp`)",)
-    assert "· part open" in html.render(document([part]), {})[html.FRONT]
+    text = page([part])
+    assert "· part open" in text
+    assert "Whether" in text.partition('class="chapter" id="open"')[2]
     assert "part open: sharp" in printed([part, rows[0]])
     assert json.loads(json_report.render([part]))[0]["open"] == ["Whether $x=2$."]
     assert "Open: Whether x=2." in printed([part])
-    assert r"\item Whether $x=2$. (" in latex.render(document([part]), {})
+    assert r"\item Whether $x=2$. (" in latex.render(paper([part]), {})
+
+
+def test_where_a_claim_fails_a_number_is_the_decisive_step_before_an_identity(rows):
+    finding = replace(rows[2].finding, evidence=(PROVED.as_counterexample(), *rows[2].finding.evidence))
+    row = replace(rows[2], finding=finding, proofs=proofs(rows[2].claim, finding))
+    assert story.decisive(row).kind is EvidenceKind.ENCLOSURE
+
+
+def test_the_count_says_how_strong_they_are(rows, theorem):
+    strengths = trust.given([theorem, *rows])["strengths"]
+    assert strengths.total() == sum(one.established_by is not None for one in (theorem, *rows))
+    assert strengths["argument", "theorem"] == 1
+
+
+@pytest.mark.parametrize("claim", [one for one in CLAIMS if one.kind is Kind.THEOREM], ids=lambda claim: claim.id)
+def test_a_theorem_is_said_to_be_without_a_damper_where_the_kernel_has_none(claim):
+    """What a theorem of the free pair assumes is read off from its statements: 0 in the damper's place."""
+    statements = [recorded().theorems[name].statement for one in claim.clauses for name in one.kernel]
+    if claim.assuming == FREE:
+        assert all(kernel.undamped(text) for text in statements if "Pair.solution" in text)
+        assert not any("Forced.forced" in text for text in statements)
+    else:
+        assert any("u" in str(one.shown) for one in claim.clauses)
+
+
+def test_a_theorem_is_printed_with_what_it_assumes_where_that_is_its_own():
+    names = "forced-no-zeno", "sharp-rate-constant"
+    rows = [Row(claim_named(name), Finding(Verdict.UNDECIDED, "r", missing="m")) for name in names]
+    (new,) = (one for one in paper(rows).chapters if one.id == "new")
+    driven, free = (block.inside[0].text for block in new.blocks if block.kind == "entry")
+    assert UNDER_A_FORCE in driven
+    assert FREE not in free
+
+
+@pytest.mark.parametrize(
+    ("text", "typed"),
+    [("If $x>0$, «f».", True), ("For $t\\to\\infty$, «f».", True), ("«f» at $x_1$, and 2 > 1.", False)],
+)
+def test_a_relation_that_is_typed_beside_the_formulas_is_counted(text, typed):
+    assert trust.has_typed_relation(clause("part", text, f=Formula("a", "=", "b", decide=lambda _: None))) == typed

@@ -14,7 +14,7 @@ OPENED = "example-stiction-never-violated"
 @pytest.fixture(scope="module")
 def found(rows, figures, tmp_path_factory) -> dict:
     folder = tmp_path_factory.mktemp("pages")
-    pages = html.render(document(rows), {name: vector.svg(draw()) for name, draw in figures.items()})
+    pages = html.render(document(rows), {name: vector.svg(draw()).decode() for name, draw in figures.items()})
     for name, text in pages.items():
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_text(text, encoding="utf-8")

@@ -43,12 +43,12 @@ def test_prose_is_escaped():
     assert "<script" not in html(r"$\text{<script></script>}$")
     assert latex("100% & #_^~{}\\") == (r"100\% \& \#\_\textasciicircum{}\textasciitilde{}\{\}\textbackslash{}")
     assert latex("0." + "1" * 24) == r"0.11111111\allowbreak{}11111111\allowbreak{}11111111"
-    assert latex("x ≤ y ẋ") == r"x $\leq$ y [U+1E8B]"
+    assert latex("x ≤ y ẋ") == "x ≤ y [U+1E8B]"
 
 
 def test_a_ball_is_shown_as_midpoint_and_radius():
     assert html("at t = [-0.25 +/- 4.18e-14] s") == "at t = −0.25 ± 4.18e-14 s"
-    assert latex("[+/- 1e-9], [1.5e+22 +/- 3]") == r"0 $\pm$ 1e-9, 1.5e+22 $\pm$ 3"
+    assert latex("[+/- 1e-9], [1.5e+22 +/- 3]") == "0 ± 1e-9, 1.5e+22 ± 3"
 
 
 @pytest.mark.parametrize(("source", "text"), MADE["plain"])

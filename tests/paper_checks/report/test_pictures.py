@@ -1,4 +1,4 @@
-"""Figures in several processes: the same bytes as in one, and what is lost where one of them ends."""
+"""Figures in several processes: the same bytes as in one, and what is lost where one fails or its process ends."""
 
 import pytest
 from dying_process import dies_of_two_bodies
@@ -25,7 +25,13 @@ def test_several_processes_draw_the_same(trade, alone):
 
 
 def test_a_process_that_ends_costs_its_own_figure_only(trade, alone, monkeypatch):
-    monkeypatch.setattr(pictures, "_made", dies_of_two_bodies)
+    monkeypatch.setattr(pictures, "drawn", dies_of_two_bodies)
     found = dict(pictures.made(DRAWINGS, trade, jobs=2))
-    lost = pictures.Undrawn("the figure two-bodies was not drawn: its process ended")
-    assert found == alone | {DRAWINGS[0]: lost}
+    assert found == alone | {DRAWINGS[0]: "the figure two-bodies was not drawn: its process ended"}
+
+
+def test_a_figure_that_fails_is_said_to(figures, trade, monkeypatch):
+    monkeypatch.setattr(pictures, "FIGURES", figures | {"broken": lambda: 1 / 0})
+    lost = [pictures.drawn(pictures.Drawing(name, "svg"), trade) for name in ("broken", "lost")]
+    broken = "the figure broken was not drawn: ZeroDivisionError: division by zero"
+    assert lost == [broken, "the figure lost is not known"]
