@@ -230,13 +230,18 @@ def forgetful_numbers(word):
     """A motion that does not move with the numbers in whose names there is a word."""
 
     def over(self, *given):
-        column, inputs = self.column, self.inputs
+        column, flow = self.column, self.flow
         self.column = {name: place for name, place in column.items() if word not in name}
-        self.inputs = {k: [one for one in its if one[0] in self.column.values()] for k, its in inputs.items()}
+
+        def forgetful(*parts):
+            found, by_numbers = flow(*parts)
+            return found, [one for one in by_numbers if one[0] in self.column.values()]
+
         try:
+            self.flow = forgetful
             return HONEST_OVER(self, *given)
         finally:
-            self.column, self.inputs = column, inputs
+            self.column, self.flow = column, flow
 
     return over
 
