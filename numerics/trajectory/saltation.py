@@ -17,7 +17,7 @@ each cell (cells.py), and a crossing of a knot, where the field is continuous, i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import NamedTuple
@@ -68,7 +68,9 @@ class Chain:
     leg.
     """
 
-    def __init__(self, scene: Scene, legs: Sequence[Leg], names: Sequence[str]) -> None:
+    def __init__(
+        self, scene: Scene, legs: Sequence[Leg], names: Sequence[str], progress: Callable[..., None] | None = None
+    ) -> None:
         """Follow all legs; `names` are those of the numbers, the last axis of every array."""
         self.scene, self.legs = scene, legs
         self.column = {name: index for index, name in enumerate(names)}
@@ -94,7 +96,10 @@ class Chain:
             y[1] = y[3] = Ball.number(self.bodies.share_1) * y[1] + Ball.number(self.bodies.share_2) * y[3]
         zeros = self._zeros()
         self.starts = [self._across(0, CarriedDerivatives(y, zeros, zeros, zeros), self._by_jumps(0))]
-        self.starts.extend(map(self._crossed, range(len(legs) - 1)))
+        for index in range(len(legs) - 1):
+            self.starts.append(self._crossed(index))
+            if progress is not None and index % 64 == 0:
+                progress(index, len(legs))
 
     def at(self, index: int, tau: arb) -> Array:
         """Return the derivatives of the state at a fixed time, tau (s) after the start of a leg, enclosed, (4, p)."""

@@ -18,7 +18,7 @@ from functools import lru_cache
 from itertools import pairwise
 from math import inf, perm
 from types import SimpleNamespace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import flint
 import numpy as np
@@ -124,14 +124,14 @@ class Variation:
         }
         self.moved: dict[str, Rows] = {}
         """The derivatives of the matrices by the numbers on which they may depend."""
-        self.inputs: list[tuple[int, Array]] = []
-        """The A_p that are not 0, with the places of p."""
+        alike: dict[tuple[Any, ...], list[int]] = {}
         for name, place in column.items():
             if name in _OF_A_PAIR or name in omegas or name in lines:
                 moved = _moved_rows(pair, layout, line, name, omegas.get(name, -1), lines.get(name, (0, 0, 0)))
                 self.moved[name] = moved
-                if (moved.A[kind] != 0).any():
-                    self.inputs.append((place, moved.A[kind]))
+                alike.setdefault(tuple(moved.A[kind].flat), []).append(place)
+        self.inputs = [(_balls(np.reshape(A, self.A.shape)), places) for A, places in alike.items() if any(A)]
+        """The A_p that are not 0, with the places of p: in stick both masses have one."""
         self.flow = lru_cache(maxsize=64)(self._flow)
 
     def under(self, scene: Scene, mode: LinearMode) -> Variation:
@@ -164,18 +164,19 @@ class Variation:
         z, moved = self.begun(state, t, y)
         flow, by_numbers = self.flow(*parts_of(tau))
         found = np.array((flow * arb_mat(moved.tolist())).tolist())
-        for place, own in by_numbers:
-            found[:, place] += own @ z
+        for own, places in by_numbers:
+            found[:, places] += (own @ z)[:, None]
         return found
 
-    def _flow(self, middle: Parts, radius: Parts) -> tuple[arb_mat, list[tuple[int, Array]]]:
+    def _flow(self, middle: Parts, radius: Parts) -> tuple[arb_mat, list[tuple[Array, list[int]]]]:
         """Return exp(A tau), and L_p with the places of p, for a ball of times (s): their rows of the state."""
-        tau, found, m, block = ball_of(middle, radius), [], 0, None
-        for place, A in self.inputs:
-            m = self.mode.size if (A[FIRST:] != 0).any() else FIRST  # nothing of the state pushes a signal
-            zeros = np.full((len(A), m), arb(0))
-            block = _exponential(np.block([[self.A[:m, :m], _balls(A[:m])], [zeros, self.A]]), tau)
-            found.append((place, block[:FIRST, m:]))
+        tau, n, found, m, block = ball_of(middle, radius), self.mode.size, [], 0, None
+        for A, places in self.inputs:
+            m = n if (A[FIRST:] != 0).any() else FIRST  # nothing of the state pushes a signal
+            whole = np.full((m + n, m + n), arb(0))
+            whole[:m, :m], whole[:m, m:], whole[m:, m:] = self.A[:m, :m], A[:m], self.A
+            block = _exponential(whole, tau)
+            found.append((block[:FIRST, m:], places))
         flow = _exponential(self.A, tau) if block is None else block[m:, m:]
         return arb_mat(flow[:FIRST].tolist()), found
 

@@ -235,7 +235,7 @@ def forgetful_numbers(word):
 
         def forgetful(*parts):
             found, by_numbers = flow(*parts)
-            return found, [one for one in by_numbers if one[0] in self.column.values()]
+            return found, [(own, [k for k in at if k in self.column.values()]) for own, at in by_numbers]
 
         try:
             self.flow = forgetful
