@@ -51,7 +51,7 @@ fun f func rhs: the equations are those of the Scene
 lambda_ function signal: a force is made of Force.sine, .step, .ramp, .samples, and their sums
 times t_eval t: run.to_dataframe(times) is a table at these times, run.sol(t) the states
 digits arithmetic precision: solve(scene, digits=N) chooses digits and arithmetic
-save to_csv: to_dataframe().to_csv(file) writes a table
+save load to_csv: to_dataframe().to_csv(file) writes a table, to_xarray().to_netcdf(file) an archive
 u F: scene.force(t) is the force at a time
 color colour title label style: the axes that it returns take that, as ax.set_title(...)
 """

@@ -118,9 +118,8 @@ def test_the_command_prints_what_the_function_finds(output, record, tmp_path):
     found = record("damping", "start-at-6mm", "--tolerance", "0.0001")
     assert (found["own"], found["heavy"]["rest"]) == ({"stuck": "inf", "rest": "inf"}, "inf")
     assert f"dampers tried: a1 = {found['a1']} N s/m" in said
-    assert f"time to rest within the tolerance = {found['best']['rest']} s" in said
+    assert f"at rest from {found['best']['rest']} s" in said
     assert (tmp_path / "drawn.svg").stat().st_size > 10_000
-    assert "no damper" not in said
     assert record("damping", "at-rest", "--tolerance", 1)["best"] is None
     said = output("damping", "at-rest", "--tolerance", 1)
-    assert "that were tried is better for rest than the limit as a1 grows without bound" in said
+    assert "the heavier, the better" in said

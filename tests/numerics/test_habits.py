@@ -66,6 +66,9 @@ def test_few_digits_are_said():
     assert few.right_digits <= 3
     assert f"only {few.right_digits}; request digits" in few.message
     assert "only" not in RUN.message
+    swept = solve_scenes([PAPER, few.scene])
+    assert ["only 1; use solve(scene, digits=N)" in one for one in swept.message] == [False, True]
+    assert "scene [1]: reached the horizon" in repr(swept)
 
 
 def test_a_list_on_a_line_and_a_table_for_a_scene_are_refused(tmp_path):
