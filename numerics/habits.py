@@ -47,6 +47,8 @@ k m1 m2 a1 a2 b mu c force friction belt wall force_2 b_static weakening: that i
 scene.replace(...) changes it, solve_scenes takes lists of scenes
 x1 v1 x2 v2: State(...) has the initial ones; run["x1"] is the row of run.y, run.final.x1 its end
 cos cosine sin: Force.sine(amplitude, omega, phase) is that; a cosine has the phase pi/2 = 1.5707963267948966
+amplitude omega: a sine is Force.sine(amplitude, omega), in a file sines = [{ amplitude = 1, omega = 2 }]
+speed value: a constant is Force.constant(3), in a file polynomial = [3]
 fun f func rhs: the equations are those of the Scene
 lambda_ function signal: a force is made of Force.sine, .step, .ramp, .samples, and their sums
 times t_eval t: run.to_dataframe(times) is a table at these times, run.sol(t) the states
@@ -150,6 +152,8 @@ def right_word(word: str, known: list[str], otherwise: str = "") -> str:
     >>> right_word("m3", ["m1", "m2"]), right_word("red", ["m1", "m2"]), right_word("dps", ["--digits"])
     ('did you mean m2 or m1?', 'it takes m1, m2', 'write --digits')
     """
+    if word.lower() in known:
+        return f"did you mean {word.lower()}?"
     for one in (word, word.lower()):
         names, bracket, unit = _OTHERS.get(one, "").partition(" (")
         if meant := [name for other in names.split() for name in known if name.lstrip("-") == other]:
