@@ -79,12 +79,11 @@ class Rows:
         status = np.where((how < How.EVENT_LIMIT) & (digits == 0), int(Status.NO_RIGHT_DIGIT), how)
         status = np.where(how == How.DOUBT, int(Status.SEQUENCE_OPEN), status)
         message, t = np.array(_SENTENCES[status], dtype=object), event("local")[0]
-        for k in zip(
-            *np.nonzero(np.atleast_1d((status <= Status.STUCK_FOR_EVER) & (digits <= FEW_DIGITS))), strict=True
-        ):
-            message[k[: message.ndim]] += (
-                f"; right digits: only {digits[k[: message.ndim]]}; use solve(scene, digits=N)"
-            )
+        few = (status <= Status.STUCK_FOR_EVER) & (digits <= FEW_DIGITS)
+        message[few] = [
+            f"{one}; right digits: only {n}; use solve(scene, digits=N)"
+            for one, n in zip(message[few], digits[few], strict=True)
+        ]
         return {
             "status": status,
             "message": message,
