@@ -46,11 +46,14 @@ y0 initial x0 args params p: initial state and numbers are those of the Scene; s
 k m1 m2 a1 a2 b mu c force friction belt wall force_2 b_static weakening: that is part of the Scene; \
 scene.replace(...) changes it, solve_scenes takes lists of scenes
 x1 v1 x2 v2: State(...) has the initial ones; run["x1"] is the row of run.y, run.final.x1 its end
+cos cosine sin: Force.sine(amplitude, omega, phase) is that; a cosine has the phase pi/2 = 1.5707963267948966
+amplitude omega: a sine is Force.sine(amplitude, omega), in a file sines = [{ amplitude = 1, omega = 2 }]
+speed value: a constant is Force.constant(3), in a file polynomial = [3]
 fun f func rhs: the equations are those of the Scene
 lambda_ function signal: a force is made of Force.sine, .step, .ramp, .samples, and their sums
 times t_eval t: run.to_dataframe(times) is a table at these times, run.sol(t) the states
 digits arithmetic precision: solve(scene, digits=N) chooses digits and arithmetic
-save to_csv: to_dataframe().to_csv(file) writes a table
+save load to_csv: to_dataframe().to_csv(file) writes a table, to_xarray().to_netcdf(file) an archive
 u F: scene.force(t) is the force at a time
 color colour title label style: the axes that it returns take that, as ax.set_title(...)
 """
@@ -101,7 +104,17 @@ def _wrong_call(function: Callable[..., object], given: tuple[object, ...], name
     return ""
 
 
-class Helpful:
+class _Answering(type):
+    """The type of a class that answers a name which it, or an object of it, does not have by the right word."""
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(cls, name: str) -> NoReturn:
+            """Raise AttributeError with the right word."""
+            cls._refuse(cls, name)
+
+
+class Helpful(metaclass=_Answering):
     """A class whose methods, and names that it does not have, are answered by the right word."""
 
     __slots__ = ()
@@ -119,11 +132,16 @@ class Helpful:
 
         def __getattr__(self, name: str) -> NoReturn:
             """Raise AttributeError with the right word."""
-            own = type(self).__name__
-            if name.startswith("_"):  # which Python and NumPy ask for
-                raise AttributeError(f"{own} has no {name}")
-            known = [one for one in dir(self) if not one.startswith("_")]
-            raise AttributeError(f"{own} has no {name!r}: {right_word(name, known, 'dir(...) lists what it has')}")
+            self._refuse(self, name)
+
+    @classmethod
+    def _refuse(cls, of: object, name: str) -> NoReturn:
+        if name.startswith("_"):  # which Python and NumPy ask for
+            raise AttributeError(f"{cls.__name__} has no {name}")
+        public = [one for one in dir(of) if not one.startswith("_")]
+        raise AttributeError(
+            f"{cls.__name__} has no {name!r}: {right_word(name, public, 'dir(...) lists what it has')}"
+        )
 
 
 def right_word(word: str, known: list[str], otherwise: str = "") -> str:
@@ -134,6 +152,8 @@ def right_word(word: str, known: list[str], otherwise: str = "") -> str:
     >>> right_word("m3", ["m1", "m2"]), right_word("red", ["m1", "m2"]), right_word("dps", ["--digits"])
     ('did you mean m2 or m1?', 'it takes m1, m2', 'write --digits')
     """
+    if word.lower() in known:
+        return f"did you mean {word.lower()}?"
     for one in (word, word.lower()):
         names, bracket, unit = _OTHERS.get(one, "").partition(" (")
         if meant := [name for other in names.split() for name in known if name.lstrip("-") == other]:

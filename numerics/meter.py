@@ -1,6 +1,8 @@
-"""Progress on a terminal, in the manner of tqdm: one line on stderr for what lasts over two seconds; nothing elsewhere.
+"""Progress of what lasts, in the manner of tqdm: on a terminal one line on stderr after two seconds.
 
 solving  42 %|########            | 3 s, 4 s left
+
+Elsewhere a line after a minute, and one whenever the time has doubled.
 """
 
 from __future__ import annotations
@@ -11,8 +13,9 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-_AFTER, _EVERY, _WIDTH = 2.0, 0.25, 20
-"""Seconds before the first line and between two; characters of the bar."""
+_AFTER, _EVERY, _SILENT, _WIDTH = 2.0, 0.25, 60.0, 20
+"""Seconds before the first line on a terminal, between two, and before the first one elsewhere; characters of the bar.
+"""
 _ACTIVE = threading.local()
 
 
@@ -20,7 +23,9 @@ class _Line:
     """What is shown: it is told how far the work is, and writes now and then."""
 
     def __init__(self, what: str) -> None:
-        self.what, self.began, self.told, self.fraction = what, time.monotonic(), 0.0, 0.0
+        self.what, self.began, self.fraction = what, time.monotonic(), 0.0
+        self.is_terminal, self.has_told = sys.stderr.isatty(), False
+        self.due = self.began + (_AFTER if self.is_terminal else _SILENT)
 
     def __call__(self, done: int, whole: float) -> None:
         """Take a count and the fraction done (a float), or a count and how many there are (an int)."""
@@ -30,18 +35,20 @@ class _Line:
 
     def tell(self) -> None:
         now = time.monotonic()
-        if now < max(self.began + _AFTER, self.told + _EVERY):
+        if now < self.due:
             return
-        self.told, spent, done = now, now - self.began, self.fraction
+        spent, done, self.has_told = now - self.began, self.fraction, True
+        self.due = now + (_EVERY if self.is_terminal else spent)
         bar, left = "", ""
         if done > 0:
             bar = f"{100 * done:3.0f} %|{'#' * int(_WIDTH * done):{_WIDTH}}| "
             left = f", {spent * (1 - done) / done:.0f} s left"
-        sys.stderr.write(f"\r\033[K{self.what} {bar}{spent:.0f} s{left}")
+        line = f"{self.what} {bar}{spent:.0f} s{left}"
+        sys.stderr.write(f"\r\033[K{line}" if self.is_terminal else f"{line}\n")
         sys.stderr.flush()
 
     def close(self) -> None:
-        if self.told:
+        if self.has_told and self.is_terminal:
             sys.stderr.write("\r\033[K")
             sys.stderr.flush()
 
@@ -50,11 +57,11 @@ class _Line:
 def meter(
     what: str, given: Callable[..., None] | None = None, ticks: bool = True
 ) -> Iterator[Callable[..., None] | None]:
-    """Yield what takes the progress of some work: what is `given`, or a line on a terminal, else None.
+    """Yield what takes the progress of some work: what is `given`, or a line; None within other work that has one.
 
     With `ticks` it also counts the seconds of work that tells nothing. As a decorator it is the line of a function.
     """
-    is_free = sys.stderr is not None and sys.stderr.isatty() and not getattr(_ACTIVE, "line", False)
+    is_free = sys.stderr is not None and not getattr(_ACTIVE, "line", False)
     if given is not None or not is_free:
         yield given
         return
@@ -62,7 +69,7 @@ def meter(
     _ACTIVE.line = True
 
     def tick() -> None:
-        while not ended.wait(_AFTER if not line.told else 2 * _EVERY):
+        while not ended.wait(max(line.due - time.monotonic(), _EVERY)):
             line.tell()
 
     ticker = threading.Thread(target=tick, daemon=True) if ticks else None

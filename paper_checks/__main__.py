@@ -262,7 +262,7 @@ def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
 
 
 def _complain(message: str) -> None:
-    print(f"paper_checks: {message}", file=sys.stderr)
+    print(f"error: {message}", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -167,6 +167,11 @@ def ball_of(middle: Parts, radius: Parts) -> arb:
     return arb(arb(middle), arb(radius))
 
 
+def parts_of(x: arb) -> tuple[Parts, Parts]:
+    """Return what `ball_of` makes a ball of."""
+    return _parts(x.mid()), _parts(x.rad())
+
+
 def _parts(x: arb) -> Parts:
     if not x.is_finite():
         return float(x)
@@ -175,7 +180,7 @@ def _parts(x: arb) -> Parts:
 
 
 # python-flint has no pickles of its own: with these every answer can be copied, and sent to another process
-copyreg.pickle(arb, lambda x: (ball_of, (_parts(x.mid()), _parts(x.rad()))))
+copyreg.pickle(arb, lambda x: (ball_of, parts_of(x)))
 copyreg.pickle(acb, lambda x: (acb, (x.real, x.imag)))
 copyreg.pickle(arb_poly, lambda x: (arb_poly, (x.coeffs(),)))
 copyreg.pickle(arb_mat, lambda x: (arb_mat, (x.tolist(),)))

@@ -221,18 +221,19 @@ def print_damping(options: argparse.Namespace) -> int:
 
     _, found = _ask(options, "damping", options.tolerance)
     draw(options, "draw_damping", found)
-    best, tried = "" if found.best is None else decimal_text(found.best), f"{len(found.sampled)} that were tried"
+    best = "" if found.best is None else decimal_text(found.best)
     record: dict[str, Any] = {}
-    lines = []
-    for name, times, said in (
-        ("own", found.own, "with the damper of the scene:"),
-        ("best", found.at_best, f"with a1 = {best} N s/m, the best for rest of {tried}:"),
-        ("heavy", found.heavy, "as a1 grows without bound:"),
+    lines = [
+        f"best of {len(found.sampled)} dampers tried: " + (f"a1 = {best} N s/m" if best else "the heavier, the better")
+    ]
+    for name, times, a1 in (
+        ("best", found.at_best, best),
+        ("own", found.own, decimal_text(found.scene.pair.a1)),
+        ("heavy", found.heavy, "infinity"),
     ):
         record[name] = None if times is None else numbers(found, **times._asdict())
-        if times is None:
-            lines.append(f"no damper of {tried} is better for rest than the limit as a1 grows without bound")
-        else:
-            lines += [said, *number_lines(record[name])]
+        if times is not None:
+            stuck, rest = (record[name][one] for one in ("stuck", "rest"))
+            lines.append(f"  a1 = {a1}: stuck from {stuck} s, at rest from {rest} s".replace("from inf s", "never"))
     record |= {"a1": best or None}
     return _print(options, found, (record, lines), "; that no other damper is better is not")

@@ -111,10 +111,14 @@ class Layout(NamedTuple):
 
         All polynomials come first.
         """
-        waves = [len(one) for one in self.omegas]
-        first = FIRST + np.cumsum([0, *self.terms[:-1]])
-        sines = FIRST + sum(self.terms) + 2 * np.cumsum([0, *waves[:-1]])
-        return np.array([first, self.terms, sines, waves], dtype=np.int64).T.copy()
+        return _blocks(self.terms, tuple(map(len, self.omegas)))
+
+
+@lru_cache(maxsize=256)
+def _blocks(terms: tuple[int, ...], waves: tuple[int, ...]) -> np.ndarray[Any, np.dtype[np.int64]]:
+    first = FIRST + np.cumsum([0, *terms[:-1]])
+    sines = FIRST + sum(terms) + 2 * np.cumsum([0, *waves[:-1]])
+    return np.array([first, terms, sines, waves], dtype=np.int64).T.copy()
 
 
 class Rows(NamedTuple):

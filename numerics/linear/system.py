@@ -153,6 +153,17 @@ class LinearMode(ShortRepr):
         """Return A, exact."""
         return [list(row) for row in self.rows.A[SLIP if self.side else STICK]]
 
+    @cached_property
+    def norm(self) -> LocalNorm:
+        """Return N of the mode, for bounds: its balls have the precision of the first use."""
+        return LocalNorm(self)
+
+    @cached_property
+    def entry_bits(self) -> int:
+        """Return e where no entry of A is above 2^e."""
+        largest = max(abs(one) for row in self.generator() for one in row)
+        return largest.numerator.bit_length() - largest.denominator.bit_length() + 1
+
     @property
     def sine_places(self) -> range:
         """Return where each sine stands in z, its cosine one place on."""
@@ -202,11 +213,6 @@ class Motion:
         begin = t.lower()
         return Stretched(self, self.at(begin), t - begin)
 
-    @cached_property
-    def norm(self) -> LocalNorm:
-        """Return N of its mode."""
-        return LocalNorm(self.mode)
-
 
 class Stretched:
     """A motion over a ball of times: z where it begins, and enclosures of derivatives of rows over the whole of it.
@@ -217,7 +223,7 @@ class Stretched:
 
     def __init__(self, motion: Motion, begin: arb_mat, h: arb) -> None:
         """Keep z where the ball begins; `h` is the ball of times, counted from there."""
-        self.motion, self.h, self.derivatives = motion, h, [begin]
+        self.motion, self.norm, self.h, self.derivatives = motion, motion.mode.norm, h, [begin]
 
     def derivative(self, order: int) -> arb_mat:
         """Return the order-th derivative of z where the ball begins."""
@@ -227,8 +233,8 @@ class Stretched:
 
     def range(self, row: Row, order: int = 0) -> arb:
         """Return an enclosure of the order-th derivative of a row over the ball of times: by Taylor's theorem."""
-        terms, further = 2, _FURTHER if self.motion.norm.fastest * self.h < 1 else 0
-        sizes = self.motion.norm.sizes(self.derivative(order + terms + further).entries(), abs(self.h).upper())
+        terms, further = 2, _FURTHER if self.norm.fastest * self.h < 1 else 0
+        sizes = self.norm.sizes(self.derivative(order + terms + further).entries(), abs(self.h).upper())
         found = sum((Ball.number(c) * arb(0, sizes[place]) for place, c in row), arb(0))
         # further terms are sharp on a short ball, the bound by energy on a long one
         for k in range(terms + further, 0, -1):

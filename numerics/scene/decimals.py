@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence, Set
 from decimal import Context, Decimal, Inexact
 from fractions import Fraction
 from numbers import Rational, Real
@@ -138,8 +138,8 @@ def require_digits(digits: Any, max_digits: Any = None, **caps: Any) -> None:
 
 
 def listed(name: str, values: Any, of: str = "") -> Iterable[Any]:
-    """Return what an argument lists; raises InvalidScene for a number, and for a text, whose letters nobody means."""
-    if isinstance(values, str) or not isinstance(values, Iterable):
+    """Return what an argument lists; raises InvalidScene for a number, a text, and what has no order or two columns."""
+    if isinstance(values, str | Mapping | Set) or not isinstance(values, Iterable):
         raise InvalidScene(f"{name} = {shown(values)} must be a list{of}; write [...], also around one")
     return values
 

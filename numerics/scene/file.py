@@ -208,7 +208,10 @@ def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
             found = f", but separated by {separators[0]}" if separators else ""
             raise InvalidScene(f"{place} is not a t and a u{found}; write 0.5, 1.25 with decimal points and one comma")
     t, u = zip(*rows, strict=True)
-    return Signal.samples(t, u, table.get("kind", "linear"), first + 1).pieces
+    try:
+        return Signal.samples(t, u, table.get("kind", "linear"), first + 1).pieces
+    except InvalidScene as error:
+        raise InvalidScene(f"{shown(file)}: {error}") from None
 
 
 def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) -> dict[str, Any]:

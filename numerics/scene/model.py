@@ -69,7 +69,7 @@ class Pair(ShortRepr):
 
     def __init__(self, m1: Exact, m2: Exact, a2: Exact, b: Exact, a1: Exact = 0, b_static: Exact | None = None) -> None:
         """Read every parameter as an exact decimal and check its bound."""
-        is_fixed = isinstance(m2, str | float) and m2 in ("inf", math.inf)
+        is_fixed = not isinstance(m2, int) and str(m2).strip().lower() in {"inf", "infinity"}
         put(self, m1=positive(m1, "m1"), m2=math.inf if is_fixed else positive(m2, "m2"))
         put(self, a1=nonnegative(a1, "a1", "leave it out for an undamped pair"), a2=nonnegative(a2, "a2"))
         most = None if b_static is None else exact_decimal(b_static, "b_static")

@@ -13,6 +13,7 @@ from numerics.scene.short_repr import html_table
 from numerics.solver.inputs import varying
 from numerics.solver.tables import Tabled
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
+from numerics.trajectory.digits import FEW_DIGITS
 from numerics.trajectory.status import Status
 
 if TYPE_CHECKING:
@@ -133,6 +134,7 @@ class Batch(Tabled):
         ends = ", ".join(f"{np.sum(self.status == one)} {one.name}" for one in Status if np.any(self.status == one))
         ended = f": {ends}; {int(np.sum(self.events))} events" if len(self) else ""
         failed = np.argwhere(~self.success)
+        failed = failed if len(failed) else np.argwhere(self.digits <= FEW_DIGITS)
         which = ", ".join(map(str, failed[:5].tolist()))
         more = f"; scene {which}{', ...' * (len(failed) > 5)}: {self.message[*failed[0]]}" if len(failed) else ""
         return f"Batch of {len(self)} scenes, shape {self.shape}{ended}{more}"

@@ -14,7 +14,7 @@ from numerics.linear.ledger import TINY
 from numerics.linear.record import AT, BOUNDS, How
 from numerics.solver.inputs import SI
 from numerics.trajectory.columns import STATE, Counts, Floats
-from numerics.trajectory.digits import ROUNDING
+from numerics.trajectory.digits import FEW_DIGITS, ROUNDING
 from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.status import Status
 
@@ -78,10 +78,15 @@ class Rows:
         digits = np.where(certain, right, 0).astype(np.int64)
         status = np.where((how < How.EVENT_LIMIT) & (digits == 0), int(Status.NO_RIGHT_DIGIT), how)
         status = np.where(how == How.DOUBT, int(Status.SEQUENCE_OPEN), status)
-        t = event("local")[0]
+        message, t = np.array(_SENTENCES[status], dtype=object), event("local")[0]
+        few = (status <= Status.STUCK_FOR_EVER) & (digits <= FEW_DIGITS)
+        message[few] = [
+            f"{one}; right digits: only {n}; use solve(scene, digits=N)"
+            for one, n in zip(message[few], digits[few], strict=True)
+        ]
         return {
             "status": status,
-            "message": _SENTENCES[status],
+            "message": message,
             "events": whole(end("events")[0]),
             "mode": whole(end("mode")[0]),
             "t": np.where(how < How.EVENT_LIMIT, given["until"], end("local")[0]),

@@ -29,7 +29,7 @@ from numerics.solver.rows import Limits, Progress, Work
 from numerics.trajectory.columns import STATE, Floats, room
 from numerics.trajectory.run import MAX_EVENTS
 
-_POSITIVE, _FLOATS = ("m1", "m2", "a2", "b", "until"), np.finfo(np.float64)
+_POSITIVE, _FLOATS = ("m1", "m2", "until"), np.finfo(np.float64)
 
 
 def _limits(max_events: int, keep_events: int, jobs: int | None, progress: Progress | None) -> Limits:
@@ -71,8 +71,8 @@ def solve_many(
     """Solve one scene for each element of arrays that broadcast together; SI units as in Pair, State and Scene.
 
     Each scene is solved like solve(scene, arithmetic="float64"); if the error bounds do not decide its events, its
-    status and `message` say so: solve(scene) goes on in balls. With `exact`, `force` or `friction` the scenes are
-    solved one after the other, as by `solve_scenes`.
+    status and `message` say so: solve(scene) goes on in balls. With `exact`, `force` or `friction`, and where some a2
+    or b is 0 or some m2 is inf, the scenes are solved one after the other, as by `solve_scenes`.
 
     The force on body 1: `polynomial`, arrays of u's coefficients (N, N/s, ...) in powers of t, and `sines`, triples of
     arrays (amplitude in N, omega in rad/s > 0, phase in rad); t from the start of the run. They broadcast with the
@@ -104,7 +104,6 @@ def solve_many(
     if not isinstance(exact, bool | np.bool_):
         raise ValueError(f"exact = {shown(exact)} must be True or False; leave it out for binary numbers")
     law, limits, terms = read_law(law), _limits(max_events, keep_events, jobs, progress), len(polynomial)
-    in_columns = not exact and force is None and friction is None
     with np.errstate(over="ignore"):  # of long floats; refused as inf
         arrays = {name: np.asarray(one, object) if exact else _numbers(name, one) for name, one in named.items()}
     objects = {
@@ -115,7 +114,8 @@ def solve_many(
     flat = room(f"{math.prod(shape)} scenes", math.prod(shape), len(arrays))
     if not exact:
         _fill(flat.reshape(*shape, len(arrays)), arrays)
-    if not in_columns:
+    is_usual = not exact and flat[:, 2:4].all() and np.isfinite(flat[:, 1]).all()
+    if not (is_usual and force is None and friction is None):
         return _one_by_one(_scenes(arrays | objects, shape, terms, law), limits, progress, shape)
     work = Work(partial(_scene_of_row, flat, terms, law), limits, flat, terms, law is Law.THREE_VALUED_SGN)
     kept, ends = work.solved(len(flat), progress)
@@ -214,7 +214,7 @@ def _all_of(name: str, kind: type, given: Any, none: Any) -> Any:
 
 def _scenes(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, law: Law) -> list[Scene]:
     """Return the scenes of arrays of exact numbers, or of binary ones with forces of any kind."""
-    exactly = np.vectorize(Fraction, otypes=[object])
+    exactly = np.vectorize(lambda x: Fraction(x) if math.isfinite(x) else x, otypes=[object])
     each = (one if one.dtype == object else exactly(one) for one in arrays.values())
     rows = zip(*(np.broadcast_to(one, shape).ravel() for one in each), strict=True)
     return [_scene(row[:-2], terms, law, *row[-2:]) for row in rows]
@@ -253,7 +253,7 @@ def _least(name: str) -> float:
     """Return the least number that a quantity may be."""
     if name in _POSITIVE or name.endswith(".omega"):
         return float(_FLOATS.smallest_subnormal)
-    return 0.0 if name == "a1" else float(_FLOATS.min)
+    return 0.0 if name in {"a1", "a2", "b"} else float(_FLOATS.min)
 
 
 def _fill(wide: Floats, arrays: dict[str, Floats]) -> None:
@@ -263,11 +263,9 @@ def _fill(wide: Floats, arrays: dict[str, Floats]) -> None:
     """
     for column, (name, array) in enumerate(arrays.items()):
         wide[..., column] = array
-        wrong = ~((array >= _least(name)) & (array < np.inf))
+        wrong = ~((array >= _least(name)) & ((array < np.inf) | (name == "m2")))
         if wrong.any():
             first = tuple(int(i) for i in np.argwhere(wrong)[0])
             place = f"{name}{list(first) if first else ''} = {array[first]:g}"
             bound = "" if _least(name) < 0 else ">= 0 and " if _least(name) == 0 else "> 0 and "
-            known = array[first] == (np.inf if name == "m2" else 0) and name in {"m2", "a2", "b"}
-            remedy = "solve_scenes takes such scenes" if known else "correct it, or leave that scene out"
-            raise InvalidScene(f"{place} must be {bound}finite; {remedy}")
+            raise InvalidScene(f"{place} must be {bound}finite; correct it, or leave that scene out")

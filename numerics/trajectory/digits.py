@@ -13,10 +13,10 @@ a zero to n digits below 10^(-4 n) of its scale, as digits cost little there.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -101,9 +101,14 @@ class Accuracy(ShortRepr):
     final: Floats
     energy: float
     energy_excess: float
-    dissipated: float
     certain: bool
     digits: int
+    of_ledger: Callable[[], float] = field(repr=False, compare=False)
+
+    @property
+    def dissipated(self) -> float:
+        """Return the bound of what friction and damper took, J: that of the ledger, which is formed for it."""
+        return self.of_ledger()
 
     @property
     def bounded(self) -> bool:
@@ -213,8 +218,8 @@ def accuracy_of(trajectory: Any, found: Judged) -> Accuracy:
     if not trajectory.bounded:
         return _radii(trajectory, found.digits)
     record, (late, energy, excess, digits, _) = trajectory.record, found
-    errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], 2 * trajectory.ledger.error
-    return Accuracy(late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, trajectory.certain, digits)
+    errors, end = record.rows[trajectory.event_rows, _STATE_ERRORS], record.end[_STATE_ERRORS]
+    return Accuracy(late, errors, end, energy, excess, trajectory.certain, digits, partial(_off_in_ledger, trajectory))
 
 
 def _radii(trajectory: Any, digits: int) -> Accuracy:
@@ -222,9 +227,18 @@ def _radii(trajectory: Any, digits: int) -> Accuracy:
     with trajectory.context():
         *final, energy = trajectory.end_numbers()[:5]
         excess = trajectory.end_numbers()[5:] or (arb("nan"),)
-        some = trajectory.event_times, trajectory.event_states.T, final, [energy, excess[0], trajectory.dissipated]
+        some = trajectory.event_times, trajectory.event_states.T, final, [energy, excess[0]]
         t, y, ends, others = (_radii_of(one) for one in some)
-    return Accuracy(t, y, ends, float(others[0]), float(others[1]), float(others[2]), certain=True, digits=digits)
+    off_energy, off_excess = others.tolist()
+    return Accuracy(t, y, ends, off_energy, off_excess, True, digits, partial(_off_in_ledger, trajectory))
+
+
+def _off_in_ledger(trajectory: Any) -> float:
+    """Return the bound on what a run says that friction and damper took, J."""
+    if trajectory.bounded:
+        return float(2 * trajectory.ledger.error)
+    with trajectory.context():
+        return float(_radii_of(trajectory.dissipated))
 
 
 _radii_of = np.vectorize(lambda x: 0.0 if x.is_exact() else math.nextafter(float(x.rad()), math.inf), otypes=[float])

@@ -190,6 +190,5 @@ def _van_loan(A: arb_mat, tau: arb, Q: arb_mat) -> tuple[arb_mat, arb_mat]:
 
 def halvings(mode: LinearMode, tau: arb) -> int:
     """Return how often a time must be halved for the flow over it to be a small matrix."""
-    largest, upper = max(abs(one) for row in mode.generator() for one in row), abs(tau).upper()
-    bits = largest.numerator.bit_length() - largest.denominator.bit_length() + 7
-    return max(0, bits + magnitude_bits(upper)) if upper > 0 and upper.is_finite() else 0
+    upper = abs(tau).upper()
+    return max(0, mode.entry_bits + 6 + magnitude_bits(upper)) if upper > 0 and upper.is_finite() else 0

@@ -17,8 +17,7 @@ each cell (cells.py), and a crossing of a knot, where the field is continuous, i
 
 from __future__ import annotations
 
-from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import NamedTuple
@@ -29,7 +28,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
 from numerics.linear.cells import mode_in
-from numerics.linear.model import DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies, add_signal
+from numerics.linear.model import CONSTANT, DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies, add_signal
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.ties import signal_form
 from numerics.scene import Law, Piece, Scene
@@ -69,12 +68,22 @@ class Chain:
     leg.
     """
 
-    def __init__(self, scene: Scene, legs: Sequence[Leg], names: Sequence[str]) -> None:
+    def __init__(
+        self, scene: Scene, legs: Sequence[Leg], names: Sequence[str], progress: Callable[..., None] | None = None
+    ) -> None:
         """Follow all legs; `names` are those of the numbers, the last axis of every array."""
         self.scene, self.legs = scene, legs
         self.column = {name: index for index, name in enumerate(names)}
         self.bodies, self.is_fixed = Bodies.of(scene.pair), scene.pair.is_fixed
         self.variations = dict[int, Variation]()
+        self.alike = dict[object, Variation]()
+        """One for all pieces whose matrices are the same."""
+        self.begun = dict[Fraction, dict[int, str]]()
+        """At each time the signals of which a piece begins, and the names of these starts, as far as they count."""
+        for k, (name, pieces) in enumerate(scene.pieces.items()):
+            for n, one in enumerate(pieces):
+                if (start := f"{name}[{n}].from") in self.column:
+                    self.begun.setdefault(one.start, {})[k] = start
         self.norm = self._of(legs[0]).norm
         self.t: list[Array] = []
         self.y: list[Array] = []
@@ -87,7 +96,10 @@ class Chain:
             y[1] = y[3] = Ball.number(self.bodies.share_1) * y[1] + Ball.number(self.bodies.share_2) * y[3]
         zeros = self._zeros()
         self.starts = [self._across(0, CarriedDerivatives(y, zeros, zeros, zeros), self._by_jumps(0))]
-        self.starts.extend(map(self._crossed, range(len(legs) - 1)))
+        for index in range(len(legs) - 1):
+            self.starts.append(self._crossed(index))
+            if progress is not None and index % 64 == 0:
+                progress(index, len(legs))
 
     def at(self, index: int, tau: arb) -> Array:
         """Return the derivatives of the state at a fixed time, tau (s) after the start of a leg, enclosed, (4, p)."""
@@ -100,7 +112,7 @@ class Chain:
             return self.y[-1], self.t[-1]
         if "until" in self.column:
             t[self.column["until"]] += 1
-        y = self.at(len(self.legs) - 1, last.end - last.start)
+        y = self.at(len(self.legs) - 1, last.length)
         return y + np.outer(field(self._of(last).mode, state, last.end), t), t
 
     def energy(self, leg: Leg, at: tuple[arb, Sequence[arb]], y: Array, t: Array) -> Array:
@@ -121,9 +133,12 @@ class Chain:
         return np.full((*rows, len(self.column)), arb(0))
 
     def _of(self, leg: Leg) -> Variation:
-        key = id(leg.mode)  # the hash of a mode takes long
+        mode, key = leg.mode, id(leg.mode)  # the hash of a mode takes long
         if key not in self.variations:
-            self.variations[key] = Variation(self.scene, self.column, leg.mode, leg.cell)
+            same = key if any(mode.layout.omegas) or mode.cell is not CONSTANT else (mode.layout, mode.side)
+            if same not in self.alike:
+                self.alike[same] = Variation(self.scene, self.column, mode, leg.cell)
+            self.variations[key] = self.alike[same].under(self.scene, mode)
         return self.variations[key]
 
     def _driven(self, leg: Leg, y: Array, t: Array | int = 0) -> Array:
@@ -161,7 +176,7 @@ class Chain:
     def _crossed(self, index: int) -> CarriedDerivatives:
         """Return the derivatives at the start of the next leg; those of an event are kept."""
         leg, after = self.legs[index], self.legs[index + 1]
-        found = self._ahead(index, after.start - leg.start)
+        found = self._ahead(index, leg.length)
         if after.begins_piece:
             found = self._across(index + 1, found, self._by_jumps(index + 1))
         elif after.is_event:
@@ -204,8 +219,7 @@ class Chain:
         leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
         here, at, literal = leg.mode.piece, (leg.start, leg.state), scene.law is Law.THREE_VALUED_SGN
         before = last.mode.piece if index else _in_front(here, scene)
-        # of signals that begin here, and whose start counts
-        names = {k: name for k, name in enumerate(_starts(scene, here.start)) if name in self.column}
+        names = self.begun.get(here.start, {})
         alone = {k: _with(here, k, before) for k in names if _jumps_at(before, here, k)}
         fields = {k: self._field_from_contact(one, *at, (0, leg.cell[1])) for k, one in alone.items()}
         is_held = leg.side or literal or all(surely for _, surely in fields.values())
@@ -244,13 +258,6 @@ class Chain:
 
 def _dot(row: Array, z: Sequence[arb]) -> arb:
     return sum((Ball.number(c) * one for c, one in zip(row, z, strict=True)), arb(0))
-
-
-def _starts(scene: Scene, at: Fraction) -> Iterator[str]:
-    """Yield of every signal the name of the start that is at a time; "" if there is none."""
-    for name, pieces in scene.pieces.items():
-        k = bisect_left(pieces, at, key=lambda one: one.start)
-        yield f"{name}[{k}].from" if k < len(pieces) and pieces[k].start == at else ""
 
 
 def _in_front(here: ExactPiece, scene: Scene) -> ExactPiece:

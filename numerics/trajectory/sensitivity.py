@@ -100,7 +100,6 @@ def sensitivities(
 ) -> Array: ...
 
 
-@meter("derivatives")
 def sensitivities(
     trajectory: Trajectory, t: Times | None = None, side: Side = "right", wrt: Sequence[str] | None = None
 ) -> Sensitivity | Array:
@@ -212,8 +211,8 @@ def _enclosed(
     digits = arithmetic.digits + (0 if balls else 17)
     for attempt in range(_TRIES):
         try:
-            # one event more than were found shows a lost one
-            balls = balls or run_scene(scene, Ball(digits), count + trajectory.reached)
+            with meter("solving") as line:  # one event more than were found shows a lost one
+                balls = balls or run_scene(scene, Ball(digits), count + trajectory.reached, line)
         except EventUndecided:
             if attempt + 1 == _TRIES:
                 raise
@@ -221,8 +220,8 @@ def _enclosed(
             continue
         if not np.array_equal(balls.row_signs, trajectory.row_signs):
             raise EventUndecided("are the events those of the trajectory?", f"{balls.record.events} events", digits)
-        with precision(Ball(digits).bits + _GUARD_BITS):
-            found = asked(balls, Chain(scene, legs(balls), names))
+        with meter("derivatives") as line, precision(Ball(digits).bits + _GUARD_BITS):
+            found = asked(balls, Chain(scene, legs(balls), names, line))
             right = _right_digits(found, digits)
         if right >= wanted:
             break

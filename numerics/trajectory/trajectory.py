@@ -15,6 +15,7 @@ from numerics.arithmetic.protocol import Number
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
 from numerics.meter import meter
+from numerics.scene.model import Law
 from numerics.trajectory.checked import Check
 from numerics.trajectory.columns import Array
 from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 
     from numerics.scene.decimals import Quantity
 
+_MANY_EVENTS = 250_000
+"""Nobody asks for more of them, one by one."""
 Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
 
 
@@ -112,7 +115,9 @@ class Trajectory(Rows):
     def message(self) -> str:
         """Return the sentence that says how the solve ended, of what no digit is right, whether the phase was lost."""
         if self.status is Status.EVENT_LIMIT and not (self.scene.is_forced or self.scene.pair.a1):
-            return super().message.replace("shorten until", "use `inertial-pair energy` for a late time")
+            all_events = self.record.events * float(self.scene.until) / self.arithmetic.to_float(self.end_time)
+            if all_events > _MANY_EVENTS and self.scene.law is Law.FILIPPOV:
+                return super().message.replace("shorten until", "use `inertial-pair energy` for a late time")
         said = super().message.replace("a quantity", " and ".join(self.without_digits))
         if 0 < self.right_digits <= FEW_DIGITS and any(float(one) for one in self.y[1::2].ravel()):
             least = " and ".join(self._judged.least)

@@ -2,28 +2,29 @@
 
 A number p moves A, by A_p, and the signals in z; at a fixed time y = dz/dp follows y' = A y + A_p z, so that (Van Loan)
 
-    y(tau) = exp(A tau) y(0) + sum_i Q_i a_i,    Q_i = int_0^tau exp(A (tau - s)) e_i z(s)' ds
+    y(tau) = exp(A tau) y(0) + L_p z(0),    exp([[A, A_p], [0, A]] tau) = [[exp(A tau), L_p], [0, exp(A tau)]]
 
-with a_i the rows of A_p, and Q_i from exp([[A, e_i z(0)'], [0, A']] tau): few rows depend on numbers, however many
-there are. A_p are the slopes of model.py's matrices of power series in p, exact. The rest is enclosed by balls.
+A_p are the slopes of model.py's matrices of power series in p, exact. The rest is enclosed by balls. As L_p knows no
+state, it is formed once for all pieces of one length and layout.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
+from copy import copy
 from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
 from math import inf, perm
 from types import SimpleNamespace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import flint
 import numpy as np
 from flint import arb, arb_mat, fmpq, fmpq_series
 
-from numerics.arithmetic.ball import Ball, magnitude_bits
+from numerics.arithmetic.ball import Ball, Parts, ball_of, magnitude_bits, parts_of
 from numerics.arithmetic.precision import precision
 from numerics.linear.cells import cells_of
 from numerics.linear.model import (
@@ -55,11 +56,13 @@ _slopes = np.frompyfunc(lambda x: x[1] if isinstance(x, fmpq_series) else 0, 1, 
 
 
 class Leg(NamedTuple):
-    """A motion from `start` to `end` (s) in one mode, everything enclosed."""
+    """A motion from `start` to `end` (s) in one mode, for a `length`, everything enclosed."""
 
     mode: LinearMode
     start: arb
     end: arb
+    length: arb
+    """Of a whole piece that of the piece itself."""
     state: tuple[arb, arb, arb, arb]
     """x1, v1, x2, v2 at its start."""
     is_event: bool
@@ -78,13 +81,15 @@ class Leg(NamedTuple):
 def legs(trajectory: Trajectory) -> list[Leg]:
     """Return the legs up to the horizon; else up to the event at which the run was cut off, and one of length 0."""
     knots: list[Knot] = trajectory.record.rows
-    starts = trajectory.row_times.tolist()
+    starts, lengths = trajectory.row_times.tolist(), [*trajectory.row_lengths.tolist(), arb(0)]
     with trajectory.arithmetic.context():  # a time is known, whatever a box of starts is
         last = Ball.number(trajectory.scene.until) if trajectory.reached else starts[-1]
     begins = [True, *(one.piece != two.piece for one, two in pairwise(knots))]
     return [
-        Leg(trajectory.row_mode(row), start, end, (one.x1, one.v1, one.x2, one.v2), one.event, first, one.cell)
-        for row, (one, start, end, first) in enumerate(zip(knots, starts, [*starts[1:], last], begins, strict=True))
+        Leg(
+            trajectory.row_mode(k), start, end, lengths[k], (one.x1, one.v1, one.x2, one.v2), one.event, first, one.cell
+        )
+        for k, (one, start, end, first) in enumerate(zip(knots, starts, [*starts[1:], last], begins, strict=True))
     ]
 
 
@@ -104,6 +109,7 @@ class Variation:
         """Take the numbers of the scene."""
         piece, side, cells = mode.piece, mode.side, cells_of(scene)
         self.mode, self.column, self.side, self.is_weakened = mode, column, side, cells is not None
+        self.asked = {name.partition(".")[0] for name in column}
         self.norm = LocalNorm(self.mode, cells.pulling if cells else None)
         self.rows, kind = self.mode.rows, SLIP if side else STICK
         self.A = _balls(self.rows.A[kind])
@@ -118,14 +124,21 @@ class Variation:
         }
         self.moved: dict[str, Rows] = {}
         """The derivatives of the matrices by the numbers on which they may depend."""
-        self.inputs: dict[int, list[tuple[int, Array]]] = {}
-        """Rows of A_p that are not 0, with the places of p."""
+        alike: dict[tuple[Any, ...], list[int]] = {}
         for name, place in column.items():
             if name in _OF_A_PAIR or name in omegas or name in lines:
                 moved = _moved_rows(pair, layout, line, name, omegas.get(name, -1), lines.get(name, (0, 0, 0)))
-                self.moved[name], A = moved, moved.A[kind]
-                for row in np.flatnonzero((A != 0).any(axis=1)).tolist():
-                    self.inputs.setdefault(row, []).append((place, _balls(A[row])))
+                self.moved[name] = moved
+                alike.setdefault(tuple(moved.A[kind].flat), []).append(place)
+        self.inputs = [(_balls(np.reshape(A, self.A.shape)), places) for A, places in alike.items() if any(A)]
+        """The A_p that are not 0, with the places of p: in stick both masses have one."""
+        self.flow = lru_cache(maxsize=64)(self._flow)
+
+    def under(self, scene: Scene, mode: LinearMode) -> Variation:
+        """Return the same under another piece of signals of the same layout, without sines: the matrices are shared."""
+        found = copy(self)
+        found.mode, found.signals = mode, _acting(scene, mode.piece.start)
+        return found
 
     def begun(self, state: Sequence[arb], t: arb, y: Array) -> tuple[Array, Array]:
         """Return z, and its derivatives (n, p) from those of the state (4, p), at a time (s)."""
@@ -133,8 +146,8 @@ class Variation:
         found[:FIRST] = y
         blocks = self.mode.layout.blocks.tolist()
         for which, ((name, piece), block) in enumerate(zip(self.signals, blocks, strict=True)):
-            if which == FRICTION and self.is_weakened:
-                continue  # the lines of its cell have moved all rows
+            if (name or "b") not in self.asked or (which == FRICTION and self.is_weakened):
+                continue  # where friction depends on the state the lines of its cell have moved all rows
             sign = (self.side or 1) if which == FRICTION else 1
             for key, first, by in _by_numbers(piece, block, z, t, sign):
                 if (place := self.column.get(f"{name}.{key}".removeprefix("."))) is not None:
@@ -149,16 +162,23 @@ class Variation:
     def over(self, state: Sequence[arb], t: arb, tau: arb, y: Array) -> Array:
         """Return the derivatives of the state tau (s) after the start of a motion, from those at its start, (4, p)."""
         z, moved = self.begun(state, t, y)
-        n, flow, found = len(z), None, np.full((FIRST, y.shape[1]), arb(0))
-        for row, numbers in self.inputs.items():
-            whole = np.full((2 * n, 2 * n), arb(0))
-            whole[:n, :n], whole[row, n:], whole[n:, n:] = self.A, z, self.A.T
-            block = _exponential(whole * tau)[:FIRST]
-            flow = block[:, :n]
-            for place, one in numbers:
-                found[:, place] += block[:, n:] @ one
-        flow = _exponential(self.A * tau)[:FIRST] if flow is None else flow
-        return found + np.array((arb_mat(flow.tolist()) * arb_mat(moved.tolist())).tolist())
+        flow, by_numbers = self.flow(*parts_of(tau))
+        found = np.array((flow * arb_mat(moved.tolist())).tolist())
+        for own, places in by_numbers:
+            found[:, places] += (own @ z)[:, None]
+        return found
+
+    def _flow(self, middle: Parts, radius: Parts) -> tuple[arb_mat, list[tuple[Array, list[int]]]]:
+        """Return exp(A tau), and L_p with the places of p, for a ball of times (s): their rows of the state."""
+        tau, n, found, m, block = ball_of(middle, radius), self.mode.size, [], 0, None
+        for A, places in self.inputs:
+            m = n if (A[FIRST:] != 0).any() else FIRST  # nothing of the state pushes a signal
+            whole = np.full((m + n, m + n), arb(0))
+            whole[:m, :m], whole[:m, m:], whole[m:, m:] = self.A[:m, :m], A[:m], self.A
+            block = _exponential(whole, tau)
+            found.append((block[:FIRST, m:], places))
+        flow = _exponential(self.A, tau) if block is None else block[m:, m:]
+        return arb_mat(flow[:FIRST].tolist()), found
 
     def guard(self, exit_side: int, state: Sequence[arb], t: arb, y: Array) -> tuple[Array, Array, arb]:
         """Return of the guard that ends this mode, where it is 0: its row on states, its derivatives (p,), its rate.
@@ -220,9 +240,9 @@ def _series(value: Fraction, slope: Fraction | int) -> fmpq_series:
     return fmpq_series([fmpq(one.numerator, one.denominator) for one in (value, slope)], prec=2)
 
 
-def _exponential(matrix: Array) -> Array:
-    """Return the exponential of a matrix."""
-    exact = arb_mat(matrix.tolist())
-    squarings = max(0, *map(magnitude_bits, exact.mid().entries()))
+def _exponential(matrix: Array, tau: arb) -> Array:
+    """Return the exponential of a matrix times a time."""
+    exact = arb_mat(matrix.tolist()) * tau
+    squarings = max(0, 1 + magnitude_bits((exact * exact.transpose()).trace().mid()) // 2)
     with precision(flint.ctx.prec + _BITS_PER_SQUARING * squarings):
         return np.array(exact.exp().tolist())

@@ -114,8 +114,8 @@ def test_the_command_prints_what_the_function_finds(output, record, tmp_path):
     asked = "damping", "start-at-6mm", "--tolerance", "0.0001"
     said, found = output(*asked, "--plot", tmp_path / "drawn.svg"), record(*asked)
     assert (found["own"], found["heavy"]["rest"]) == ({"stuck": "inf", "rest": "inf"}, "inf")
-    assert f"with a1 = {found['a1']} N s/m, the best for rest" in said
-    assert f"time to rest within the tolerance = {found['best']['rest']} s" in said
+    assert f"dampers tried: a1 = {found['a1']} N s/m" in said
+    assert f"at rest from {found['best']['rest']} s" in said
     assert (tmp_path / "drawn.svg").stat().st_size > 10_000
     assert "no damper" not in said
 
@@ -125,4 +125,4 @@ def test_where_heavier_dampers_are_better_without_end_none_is_best_and_it_is_sai
     assert (found.best, found.at_best, float(found.heavy.rest)) == (None, None, 0)
     assert draw_damping(found).axes
     said = output("damping", "at-rest", "--tolerance", 1)
-    assert "that were tried is better for rest than the limit as a1 grows without bound" in said
+    assert "the heavier, the better" in said

@@ -166,7 +166,7 @@ def test_a_cache_forgets_what_was_used_longest_ago_but_nothing_of_the_last_day(t
     [
         ("numerics", "solve velocities --npz run.npz", "flint", "error: interrupted"),
         # not at its first module: mpmath, which it imports next, takes whatever happens then for a gmpy not there
-        ("paper_checks", "report --out out", "sympy.core", "paper_checks: interrupted"),
+        ("paper_checks", "report --out out", "sympy.core", "error: interrupted"),
     ],
 )
 def test_ctrl_c_leaves_nothing(tmp_path, program, words, module, said):

@@ -29,6 +29,7 @@ from numerics import (
     sensitivities,
     solve,
 )
+from numerics.trajectory import variation
 from numerics.trajectory.run import free_scene
 from numerics.trajectory.trajectory import Trajectory
 
@@ -149,6 +150,18 @@ def test_what_is_not_yet_there_and_what_does_nothing_are_exactly_0():
     assert {"force[1].from", "force[4].from", "force[4].polynomial[0]"} <= zero
     assert "force[0].from" not in zero  # its slope begins there
     assert found.t[0][found.wrt.index("until")].is_zero()
+
+
+def test_pieces_of_one_length_share_their_exponentials(monkeypatch):
+    """A record at equal steps but for one: derivatives by all its numbers are right, and few matrices are formed."""
+    force = Force.samples([*(Fraction(k, 20) for k in range(40)), "1.99"], [(7 * k * k) % 11 - 5 for k in range(41)])
+    scene, formed = Scene(Pair(1, 1, 200, "0.5", 3), State(), 2, force=force), []
+    assert compared(scene).size < 1e-50
+    honest = variation._exponential
+    monkeypatch.setattr(variation, "_exponential", lambda *given: formed.append(given) or honest(*given))
+    run = in_balls(scene)
+    sensitivities(run, wrt=["b", "m1"])
+    assert len(run.events) < len(formed) < 3 * len(run.events) + 6 < 41
 
 
 @pytest.mark.parametrize("name", ["force[0].from", "friction[0].from"])

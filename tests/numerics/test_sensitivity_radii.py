@@ -29,7 +29,8 @@ def joined(one, two):
     """A leg whose start, end and state hold those of two."""
     state = tuple(x.union(y) for x, y in zip(one.state, two.state, strict=True))
     end = one.end if one.end is one.start else one.end.union(two.end)
-    return one._replace(start=one.start.union(two.start), end=end, state=state)
+    length = one.length.union(two.length)
+    return one._replace(start=one.start.union(two.start), end=end, length=length, state=state)
 
 
 @pytest.mark.parametrize("name", SCENES)

@@ -53,7 +53,7 @@ def test_run_is_the_default_and_the_exit_code_tells(small, capsys, arguments, co
 def test_an_unknown_id_gets_one_line_that_suggests(small, capsys):
     assert main(["energy-rat"]) == 2
     captured = capsys.readouterr()
-    assert captured.err == "paper_checks: unknown claim 'energy-rat'; did you mean energy-rate?\n"
+    assert captured.err == "error: unknown claim 'energy-rat'; did you mean energy-rate?\n"
     assert captured.out == ""
 
 
@@ -70,7 +70,7 @@ def test_the_report_tells_some_rows_or_the_whole_and_complains(small, capsys, tm
     assert main(["report", "--out", str(tmp_path / "all"), "--format", "html,latex"]) == 1
     captured = capsys.readouterr()
     assert captured.out.strip().startswith(str(tmp_path))
-    assert captured.err == "paper_checks: the figure lost is not known\n"
+    assert captured.err == "error: the figure lost is not known\n"
     planted(tmp_path)  # writes the file
     main(["report", "--out", str(tmp_path / "other"), "--trade", str(tmp_path / "planted.json")])
     assert "Measured once: Abacus" in (tmp_path / "other" / "report.html").read_text("utf-8")
@@ -113,7 +113,7 @@ def test_what_cannot_be_reported_is_one_line_before_anything_runs(
         monkeypatch.setitem(sys.modules, without, None)
     assert main(["report", *words]) == code
     said = capsys.readouterr().err
-    assert said.startswith("paper_checks: ")
+    assert said.startswith("error: ")
     assert told in said
     assert said.count("\n") == 1
 
@@ -139,7 +139,7 @@ def test_usage_errors(arguments, capsys):
     ("output", "code", "errors"),
     [
         ("| head -n 1", 0, ""),
-        ("> /dev/full", 2, "paper_checks: cannot read or write the output: No space left on device\n"),
+        ("> /dev/full", 2, "error: cannot read or write the output: No space left on device\n"),
     ],
 )
 def test_a_closed_pipe_is_no_error_and_an_output_that_takes_nothing_is_told_in_one_line(output, code, errors):

@@ -71,4 +71,4 @@ def test_the_command_writes_the_page_or_says_in_one_line_why_it_cannot(tmp_path,
     assert target.read_text("utf-8") == whole
     assert capsys.readouterr().out == f"{target}\n"
     assert main(["explore", "--out", str(target / "explore.html")]) == 2
-    assert capsys.readouterr().err.startswith("paper_checks: the page cannot be written: ")
+    assert capsys.readouterr().err.startswith("error: the page cannot be written: ")

@@ -77,4 +77,4 @@ def test_the_bytes_are_the_same_from_one_process_and_from_two_and_nothing_is_kep
 def test_ctrl_c_ends_all_processes_and_says_one_word(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", "")
     code, _, errors = interrupted("paper_checks", ["--jobs", "2"], "paper_checks.running.rows", tmp_path)
-    assert (code, errors) == (130, "paper_checks: interrupted\n")
+    assert (code, errors) == (130, "error: interrupted\n")
