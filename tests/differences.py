@@ -31,7 +31,8 @@ def moved(scene: Scene, by: Mapping[str, Fraction]) -> Scene | None:
     values = parameters(scene)
     try:
         for name, change in by.items():
-            scene = put(scene, place_of(name), values[name] + change)
+            value = values[name] + change
+            scene = put(scene, place_of(name), value) if "." in name else scene.replace(**{name: value})
     except (InvalidScene, IndexError):  # what is 0 all along has no coefficient
         return None
     return scene
@@ -40,10 +41,6 @@ def moved(scene: Scene, by: Mapping[str, Fraction]) -> Scene | None:
 def place_of(name: str) -> list[Any]:
     """Where a number stands in a scene, from attribute to attribute."""
     match [int(one) if one.isdigit() else one for one in re.findall(r"\w+", name)]:
-        case ["until"]:
-            return ["until"]
-        case [one]:
-            return ["initial" if one[0] in "xv" else "pair", one]
         case [("force" | "force_2" | "belt" | "wall" | "friction") as signal, k, *rest]:
             within = {"from": ["start"], "b": ["polynomial", 0]}
             return [signal, "pieces", k, *(found for one in rest for found in within.get(one, [one]))]

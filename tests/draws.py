@@ -9,6 +9,7 @@ from random import Random
 from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.polynomial.polynomial import polyadd, polyder, polyint, polyval
 
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Signal, Sine, State, Weakening
 from numerics.scene.plane import PlanePair, PlaneScene
@@ -40,15 +41,21 @@ def pair(
     exponents: Range = (-2, 2),
     damped: bool | None = False,
     damping: Range = (-12, 6),
+    ratios: Range | None = None,
     **given: Fraction,
 ) -> Pair:
-    """Return a pair; a damper has 1e-12 to 1e6 of the critical one, next to it or exactly it; None: with or without."""
+    """Return a pair, perhaps with m2/m1 within its range.
+
+    A damper has 1e-12 to 1e6 of the critical one, is next to it or exactly it; None: with or without.
+    """
     numbers = {name: decimal(random, *exponents) for name in ("m1", "m2", "a2", "b")} | given
+    if ratios:
+        numbers["m2"] = numbers["m1"] * decimal(random, *ratios)
     if not (random.choice((False, True)) if damped is None else damped):
         return Pair(**numbers)
     moved = numbers["m1"] + random.choice((0, 1)) * numbers["m2"]
     k = rate(numbers["a2"], moved)
-    if random.choice((False, True)):  # a1^2 = 4 a2 m is met by a rational a1 if a2 = k^2 m
+    if random.choice((False, True)) and "a2" not in given:  # a1^2 = 4 a2 m is met by a rational a1 if a2 = k^2 m
         k = decimal(random, -1, 1)
         numbers["a2"] = k * k * moved
     factor = random.choice((Fraction(1), 1 + signed(random, -60, -1), decimal(random, *damping)))
@@ -77,16 +84,16 @@ def scene(
     size: Range = (-1, 0),
     periods: Range = (1, 4),
     law: Law = Law.FILIPPOV,
-    **given: Fraction,
+    **given: Any,
 ) -> Scene:
     """Return a scene of some periods of the stuck pair whose reduced coordinates have exponents within a size."""
     of = pair(random, exponents, damped, **given)
     return Scene(of, state(random, of, size), _PERIOD * random.randint(*periods) / rate(of.a2, of.mass), law)
 
 
-def near_critical(random: Random, decades: Range = (3, 300), damped: bool | None = False, **given: Fraction) -> Scene:
+def near_critical(random: Random, decades: Range = (3, 300), damped: bool | None = False, **given: Any) -> Scene:
     """Return a pair that leaves S, or at rest beside it, with an energy excess of 10^-n, n within the decades."""
-    of, (few, many) = pair(random, (-2, 2), damped, **given), decades
+    of, (few, many) = pair(random, damped=damped, **given), decades
     width, omega, side = of.half_width, rate(of.a2, of.mass), random.choice((-1, 1))
     v = side * width * omega * decimal(random, -many // 2, -few // 2)
     beside = State(x1=side * width * (1 + decimal(random, -many, -few)))
@@ -100,6 +107,29 @@ def long_slip(random: Random, damped: bool | None = False, turns: Range = (0, 3)
     width, omega = of.half_width, rate(of.a2, of.mass)
     x1, v1, fast = signed(random, -1, 0), signed(random, -1, 0), signed(random, *turns) * 6 * width * omega
     return Scene(of, State(x1 * width, v1 * width * omega, 0, fast), 2 * abs(fast) * of.m2 / of.b + 1 / omega)
+
+
+def root(square: Fraction) -> Fraction:
+    """Return a rational within a part in 10^30 of the square root of a positive one."""
+    places = Fraction(10) ** (30 + max(0, len(str(square.denominator)) - len(str(square.numerator))))
+    return Fraction(math.isqrt(math.floor(square * places**2))) / places
+
+
+def of_energy(
+    random: Random, decades: Range, below: bool = False, on_surface: bool = False, ratios: Range = (-4, 4)
+) -> Scene:
+    """Return a pair with an energy of E_cr (1 + w), to a part in 10^30, on S, in S0 or outside it, and perhaps off S.
+
+    w is above 0, or perhaps below it and above -1, by its exponent.
+    """
+    of, w = pair(random, (-9, 9), ratios=ratios), decimal(random, *decades)
+    if below and random.choice((True, False)):
+        w = -decimal(random, decades[0], -1)
+    width, unit = of.half_width, of.half_width * rate(of.a2, of.mass)
+    x1, v1, v2 = (signed(random, -3, 0) * one for one in (random.choice((width, 100 * width)), unit, unit))
+    v2 = v1 if on_surface else random.choice((v1, v2))
+    factor = root(of.critical_energy * (1 + w) / Scene(of, State(x1, v1, 0, v2), 1).energy)
+    return Scene(of, State(*(factor * one for one in (x1, v1, 0, v2))), 1)
 
 
 def sine(random: Random, held: Fraction, omega: Fraction) -> Sine:
@@ -152,9 +182,8 @@ def weakened(random: Random, **more: Any) -> Scene:
         random.choice((0, 1)) * decimal(random, -2, -1) * b / fast,
         [(width * z, b * Fraction(random.randint(0, 600), 1000)) for z in places],
     )
-    free = random.choice((True, False))
-    pushed, pieces = (Force(), ()) if free else (given.force, given.friction.steps)
-    return Scene(of, given.initial, given.until, force=pushed, friction=Friction(pieces, table))
+    pushed, pieces = random.choice(((Force(), ()), (given.force, given.friction.steps)))
+    return given.replace(force=pushed, friction=Friction(pieces, table))
 
 
 def varying(random: Random, b: Fraction, omega: Fraction, until: Fraction) -> Friction:
@@ -175,36 +204,22 @@ def brought(random: Random, **more: Any) -> Scene:
     No spring, no contact, the ground or a belt, b_static, b(t), a push of body 2, a wall that moves.
     """
     given = driven(random, 1, **more)
-    of, until, omega = given.pair, given.until, rate(given.pair.a2, given.pair.m1)
-    speed = of.half_width * omega
+    of, until, omega, at = given.pair, given.until, rate(given.pair.a2, given.pair.m1), given.initial
     is_fixed, lies = random.choice((True, False)), random.choice((True, True, False))
-    b = lies * of.b
-    pair = Pair(
-        of.m1,
-        "inf" if is_fixed else of.m2,
-        random.choice((0, 1, 1)) * of.a2,
-        b,
-        of.a1,
-        random.choice((None, b * Fraction(random.randint(10, 20), 10))) if lies else None,
-    )
-    signals = (
-        {"belt": force(random, speed, omega, until)} if is_fixed else {"force_2": force(random, of.b, omega, until)}
-    )
-    if not pair.a1:
-        signals["wall"] = force(random, of.half_width, omega, until)
-    at = State(given.initial.x1, given.initial.v1, given.initial.x2, 0 if is_fixed else given.initial.v2)
+    b, spring = lies * of.b, random.choice((0, 1, 1)) * of.a2
+    b_static = random.choice((None, b * Fraction(random.randint(10, 20), 10))) if lies else None
+    pair = Pair(of.m1, "inf" if is_fixed else of.m2, spring, b, of.a1, b_static)
+    sizes = {"belt": of.half_width * omega} if is_fixed else {"force_2": of.b}
+    sizes |= {} if pair.a1 else {"wall": of.half_width}
+    signals = {name: force(random, size, omega, until) for name, size in sizes.items()}
     chosen = {name: random.choice((Signal(), signal, signal)) for name, signal in signals.items()}
     b_of_t = random.choice((given.friction, varying(random, of.b, omega, until)))
-    return Scene(pair, at, until, force=given.force, friction=b_of_t, **chosen)
+    start = State(at.x1, at.v1, at.x2, 0 if is_fixed else at.v2)
+    return Scene(pair, start, until, force=given.force, friction=b_of_t, **chosen)
 
 
-def _times(one: Any, two: Any) -> Any:
-    return np.convolve(np.array(one, object), np.array(two, object))
-
-
-def _summed(one: Any, start: Fraction) -> Any:
-    """The integral of a polynomial, with a value at 0."""
-    return np.array([start, *(c / (k + 1) for k, c in enumerate(one))], object)
+def _polynomial(coefficients: Any) -> Any:
+    return np.array([Fraction(one) for one in coefficients], object)
 
 
 def _slipped(random: Random, gap: Fraction, unit: Fraction, length: Fraction) -> Any:
@@ -212,9 +227,9 @@ def _slipped(random: Random, gap: Fraction, unit: Fraction, length: Fraction) ->
 
     Perhaps it touches 0 in between.
     """
-    w = [gap] if gap else [Fraction(0)] * random.randint(1, 3) + [unit * decimal(random, -1, 0)]
+    w = _polynomial([gap] if gap else [0] * random.randint(1, 3) + [unit * decimal(random, -1, 0)])
     for at in random.choice([[1], [1], [1, 1, 1], [Fraction(1, 2)] * 2 + [1]]):
-        w = _times(w, [Fraction(1), -1 / (at * length)])
+        w = np.convolve(w, _polynomial([1, -1 / (at * length)]))
     return w
 
 
@@ -222,7 +237,13 @@ def _needed(random: Random, length: Fraction) -> Any:
     """What part of b a stick needs, a polynomial of t up to the length: within, on the edge, up to it, touching it."""
     part, side = decimal(random, -1, -1), random.choice([-1, 1])
     kinds = [part], [1], [part, (1 - part) / length], [1 - part, 4 * part / length, -4 * part / length**2]
-    return side * np.array([Fraction(one) for one in random.choice(kinds)], object)
+    return side * _polynomial(random.choice(kinds))
+
+
+def _push(of: Pair, moved: Fraction, v_1: Any, x1: Fraction, friction: Fraction) -> Any:
+    """The force on body 1 under which a mass moves at a speed from a place on, against friction."""
+    u = polyadd(polyadd(of.a2 * polyint(v_1, k=[x1]), of.a1 * v_1), moved * polyder(v_1))
+    return polyadd(u, _polynomial([friction]))
 
 
 def tie(random: Random) -> Scene:
@@ -241,16 +262,12 @@ def tie(random: Random) -> Scene:
     for _ in range(random.randint(1, 3)):
         length = Fraction(random.randint(1, 20), 10) * unit
         if side:
-            v_2 = np.array([v2, side * b / of.m2], object)
-            w = side * _slipped(random, gap, speed / unit, length)
-            v_1 = w + np.pad(v_2, (0, len(w) - 2))
+            v_2 = _polynomial([v2, side * b / of.m2])
+            v_1 = polyadd(v_2, side * _slipped(random, gap, speed / unit, length))
         else:
-            v_1 = v_2 = _summed(b / of.m2 * _needed(random, length), v2)
-        x_1, moved = _summed(v_1, x1), of.m1 if side else of.mass
-        u = of.a2 * x_1 + np.pad(of.a1 * v_1, (0, 1)) + np.pad(moved * np.arange(1, len(v_1)) * v_1[1:], (0, 2))
-        u[0] += side * b
-        pieces.append(Piece(t, u))
-        x1, v2 = (sum(c * length**k for k, c in enumerate(one)) for one in (x_1, v_2))
+            v_1 = v_2 = polyint(b / of.m2 * _needed(random, length), k=[v2])
+        pieces.append(Piece(t, _push(of, of.m1 if side else of.mass, v_1, x1, side * b)))
+        x1, v2 = polyval(length, polyint(v_1, k=[x1])), polyval(length, v_2)
         t, side, gap = t + length, random.choice([-1, 0, 1]), Fraction(0)
         if random.choice([True, False]):
             b = decimal(random, -1, 0) * of.b
@@ -268,13 +285,11 @@ def graze(random: Random) -> Scene:
     """
     m1, c, t0 = (decimal(random, -1, 0, 2) for _ in range(3))
     m2: Any = random.choice([decimal(random, -1, 0), "inf"])
-    a1, a2, b = (random.choice([0, decimal(random, -2, 1)]) for _ in range(3))
-    least = signed(random, -20, -8) * random.choice([0, 1, 1])
-    v_1 = np.array([c * t0 * t0 + least, -2 * c * t0, c], object)
-    u = a2 * _summed(v_1, Fraction(0)) + np.pad(a1 * v_1, (0, 1)) + np.pad(m1 * np.arange(1, 3) * v_1[1:], (0, 2))
-    u[0] += b
-    held = {} if m2 == "inf" or not b else {"force_2": Force.constant(-b)}
-    return Scene(Pair(m1, m2, a2, b, a1), State(0, v_1[0]), 2 * t0, force=Force([Piece(0, u)]), **held)
+    of = Pair(m1, m2, *(random.choice([0, decimal(random, -2, 1)]) for _ in range(3)))
+    v_1 = _polynomial([c * t0 * t0 + signed(random, -20, -8) * random.choice([0, 1, 1]), -2 * c * t0, c])
+    held = {} if m2 == "inf" or not of.b else {"force_2": Force.constant(-of.b)}
+    push = Force([Piece(0, _push(of, m1, v_1, Fraction(0), of.b))])
+    return Scene(of, State(0, v_1[0]), 2 * t0, force=push, **held)
 
 
 def surface(random: Random, shape: str = "ellipsoid", exponents: Range = (-1, 0), narrow: bool = True) -> PlaneScene:
@@ -303,15 +318,14 @@ def surface(random: Random, shape: str = "ellipsoid", exponents: Range = (-1, 0)
     return PlaneScene(of, until, x1, v1, 0, v2, random.choice(((), push)))
 
 
+MAGNITUDES = {"m1": (-11, 5), "m2": (-6, 5), "a2": (-30, 29), "b": (-30, 29)}
 KINDS: dict[str, Callable[[Random], Scene | PlaneScene]] = {
-    "masses": lambda random: scene(random, m1=decimal(random, -6, 5), m2=decimal(random, -6, 5)),
-    "stiffness": lambda random: scene(random, a2=decimal(random, -30, 29)),
-    "friction": lambda random: scene(random, size=(-2, 1), b=decimal(random, -30, 29)),
-    "light driver": lambda random: scene(random, m1=decimal(random, -11, -4)),
+    name: lambda random, name=name: scene(random, size=(-2, 1), **{name: decimal(random, *MAGNITUDES[name])})
+    for name in MAGNITUDES
+} | {
     "damping": lambda random: scene(random, damped=True, m1=decimal(random, random.choice((-6, -1)), 1)),
     "near critical": lambda random: near_critical(random, (3, random.choice((8, 20, 300))), m1=decimal(random, -3, 2)),
     "long slip": lambda random: long_slip(random, turns=(0, 8)),
-    "force": lambda random: driven(random, 0, False),
     "sines": lambda random: driven(random, 3, False),
     "force and friction": lambda random: driven(random, 1),
     "ties": tie,

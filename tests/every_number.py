@@ -5,14 +5,15 @@ without its comparison.
 """
 
 import math
+from collections.abc import Iterator
 from contextlib import suppress
-from decimal import Decimal
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
 from batch_numbers import row_numbers
 from flint import arb
+from oracle.holding import NAMES, as_printed
 from reaching import LeftOut
 
 from numerics import Batch, EventUndecided, NumericsError, Scene, Trajectory, sensitivities, solve, solve_scenes
@@ -25,7 +26,7 @@ from numerics.trajectory.run import run_scene
 
 DIGITS, EVENTS, SHOWN = (60, 240, 1000), 40, 19
 LEAST = arb("1e-322")
-SIDES, NAMES = ("left", "right"), ("t", "x1", "v1", "x2", "v2")
+SIDES = "left", "right"
 FLOWED = ("sol", "reduced")
 CONSTANTS, WEIGHTS = ("m1", "m2", "a1", "a2"), ("a2", "m1", "", "m2")
 
@@ -227,23 +228,15 @@ def _reduced(own: Bounded, times: Any, side: str) -> list[float]:
 def numbers_of(run: Any, times: Any) -> dict[str, list[Any]]:
     """All numbers of a run by the names of its attributes, flat; `sol` and `reduced` at times, from both sides."""
     with run.context():
-        return {name: list(_flat(_given(run, name, times))) for name in sorted(NUMBERS)}
-
-
-def _given(run: Any, name: str, times: Any) -> Any:
-    if name == "sol":
-        return [run.sol(times, side) for side in SIDES]
-    if name == "reduced":
-        return [run.reduced(t, side) for side in SIDES for t in times]
-    if name == "segments":
-        return [(one.start, one.end, one.length, *one.losses()) for one in run.segments]
-    if name == "events":
-        return [(one.t, one.y, one.reduced) for one in run.events]
-    if name == "ledger":
-        ledger = run.ledger
-        return [getattr(ledger, one) for one in ledger.__slots__ if one != "error"]
-    found = getattr(run, name)
-    return found() if callable(found) else found
+        found = {name: getattr(run, name) for name in sorted(NUMBERS)} | {
+            "end_numbers": run.end_numbers(),
+            "sol": [run.sol(times, side) for side in SIDES],
+            "reduced": [run.reduced(t, side) for side in SIDES for t in times],
+            "segments": [(one.start, one.end, one.length, *one.losses()) for one in run.segments],
+            "events": [(one.t, one.y, one.reduced) for one in run.events],
+            "ledger": [getattr(run.ledger, one) for one in run.ledger.__slots__ if one != "error"],
+        }
+        return {name: list(_flat(one)) for name, one in found.items()}
 
 
 def _flat(given: Any) -> Any:
@@ -308,18 +301,13 @@ def held(run: Any, truth: Any, times: Any) -> list[Compared]:
     return rows + (list(_printed(as_record(run), truth)) if knows_its_digits(run) else [])
 
 
-def _printed(record: dict[str, Any], truth: Any) -> Any:
+def _printed(record: dict[str, Any], truth: Any) -> Iterator[Compared]:
     """The numbers of a JSON record, of which all others that are printed are made."""
     with truth.context():
-        true = [dict(zip(NAMES, (e.t, *e.y), strict=False)) for e in truth.events]
-        true.append(dict(zip((*NAMES, "energy", "energy_excess"), (truth.end_time, *truth.end_numbers()), strict=True)))
+        true = [(one.t, *one.y) for one in truth.events] + [(truth.end_time, *truth.end_numbers())]
     for row, its in zip((*record["events"], record["final"]), true, strict=True):
-        for name, value in its.items():
-            if f"{name}_radius" in row:
-                yield Compared(f"printed {name}", Fraction(row[name]), Fraction(row[f"{name}_radius"]), value)
-            else:
-                place = int(Decimal(row[name]).as_tuple().exponent)
-                yield Compared(f"printed {name}", Fraction(row[name]), Fraction(10) ** place, value)
+        for name, value in zip(NAMES, its, strict=False):
+            yield Compared(f"printed {name}", *as_printed(row, name), value)
 
 
 def derivatives(run: Any, truth: Any) -> list[Compared]:

@@ -12,6 +12,7 @@ reached is not seen here, but by scipy_reference.py.
 
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -58,17 +59,13 @@ def faults(run: Any, scene: Scene | None = None, digits: int = DIGITS) -> Iterat
             sides = list(zip(at(begin, "left"), at(begin, "right"), strict=True))[:given]
             if k and not all(a.overlaps(b) for a, b in sides):
                 yield f"a jump of the state at {begin}"
-            margins = []
-            for part in GRID:
-                wrong, margin = law.judge(at, begin.mid(), (end - begin).mid(), part, int(run.row_signs[k]))
-                margins.append(margin)
+            judged = partial(law.judge, at, begin.mid(), (end - begin).mid(), sign=int(run.row_signs[k]))
+            found = {part: judged(part) for part in GRID}
+            around = [(GRID[k - 1], GRID[k + 1]) for k in nearest([margin for _, margin in found.values()])]
+            finer = (low + (high - low) * n / 8 for low, high in around for n in range(1, 8))
+            for part, (wrong, _) in (found | {part: judged(part) for part in finer}).items():
                 if wrong:
                     yield f"{wrong} at {begin} + {part} of a piece that ends at {end}"
-            for low in nearest(margins):
-                for n in range(1, 8):
-                    part = GRID[low - 1] + (GRID[low + 1] - GRID[low - 1]) * n / 8
-                    if wrong := law.judge(at, begin.mid(), (end - begin).mid(), part, int(run.row_signs[k]))[0]:
-                        yield f"{wrong} at {begin} + {part} of a piece that ends at {end}"
 
 
 def nearest(margins: list[arb]) -> list[int]:

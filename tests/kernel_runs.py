@@ -3,12 +3,15 @@
 import math
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from operator import add
+from random import Random
 from typing import NamedTuple
 
+import draws
 import numpy as np
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Trajectory, Weakening
+from numerics import Law, State, Trajectory
 from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.linear.cells import cells_of
@@ -79,56 +82,26 @@ def exact(x, digits=6):
     return Fraction(round(float(x) * 10**digits), 10**digits)
 
 
-def a_force(random, start, kind):
-    polynomial = [exact(random.normal() * random.choice([0.3, 1, 3])) for _ in range(random.integers(0, 4))]
-    sines = [
-        Sine(exact(random.normal() + 3), exact(10 ** random.uniform(-1, 1)), exact(random.uniform(0, 6)))
-        for _ in range(random.integers(1, 3))
-    ]
-    return Piece(start, polynomial if kind != "sines" else (), sines if kind != "polynomial" else ())
-
-
-def a_scene(random):
-    """Any damping, m1 from 1e-4 to 1 - 1e-4, free or under a force by pieces with friction by pieces, both laws."""
-    light = exact(max(10 ** random.uniform(-4, 0) * 0.9999, 1e-4))
-    m1 = light if random.random() < 0.7 else 1 - light
-    a1 = random.choice([0, 0, random.uniform(0, 0.3), random.uniform(0, 3) * math.sqrt(m1), random.uniform(0, 9)])
-    horizon = exact(random.choice([1, 3, 10]) * random.uniform(0.2, 1.5))
-    kind = random.choice(["free", "polynomial", "sines", "both", "pieces"])
-    pieces, frictions = [] if kind == "free" else [a_force(random, 0, kind)], []
-    if kind == "pieces":
-        times = sorted({horizon * int(n) / 1000 for n in random.integers(1, 1000, 4)})
-        pieces += [a_force(random, t, kind) for t in times[::2]]
-        frictions = [(t, (1 - m1) * exact(random.uniform(0.3, 2))) for t in times[1:]]
+def a_scene(random, drawn=draws.driven):
+    """A pair with M = a2 = L = 1 from anywhere, damped or not, under forces and friction by pieces, both laws."""
+    source = Random(int(random.integers(2**63)))
+    light = draws.decimal(source, -4, -1)
+    m1 = source.choice((light, light, 1 - light))
+    scene = drawn(source, m1=m1, m2=1 - m1, a2=Fraction(1), b=1 - m1, damping=(-2, 0))
     x1, v1, x2, v2 = (exact(random.normal() * random.choice([0.1, 1, 3])) for _ in range(4))
-    at = State(x1, v1, x2, v1 if random.random() < 0.25 else v2)
-    law = Law.THREE_VALUED_SGN if random.random() < 0.15 else Law.FILIPPOV
-    return Scene(Pair(m1, 1 - m1, 1, 1 - m1, exact(a1)), at, horizon, law, Force(pieces), Friction(frictions))
+    law = Law.THREE_VALUED_SGN if drawn is draws.driven and random.random() < 0.15 else Law.FILIPPOV
+    return scene.replace(initial=State(x1, v1, x2, random.choice([v1, v2, v2, v2])), law=law)
 
 
-def a_weakened_scene(random):
-    """The same with friction that falls and rises with speed, and with the place."""
-    scene = a_scene(random)
-    b, speed, place = scene.pair.b, Fraction(0), Fraction(0)
-    speeds, places = [], []
-    for _ in range(random.integers(0, 4)):
-        speed += exact(random.uniform(0.05, 1.5))
-        speeds.append((speed, b * exact(random.uniform(0.5, 1.5))))
-    for _ in range(random.choice([0, 0, 2, 3])):
-        place += exact(random.uniform(0.1, 2))
-        places.append((place - 2, b * exact(random.uniform(-0.3, 1))))
-    table = Weakening(speeds, b * exact(random.uniform(-0.2, 0.5)), places)
-    steps = [one.start for one in scene.friction.pieces]
-    friction = Friction([(t, b * exact(random.uniform(0.3, 2))) for t in steps], table)
-    return replace(scene, law=Law.FILIPPOV, friction=friction)
+a_weakened_scene = partial(a_scene, drawn=draws.weakened)
+"""The same with friction that falls and rises with speed, and with the place."""
 
 
 def errors(random, scene):
     """Errors of 1e-9 to 1e-3, of all numbers of the start or of one."""
-    size, kind = 10 ** random.uniform(-9, -3), random.integers(0, 3)
-    by = random.choice([-1, 1], 4) * size if kind == 0 else random.uniform(-1, 1, 4) * size
-    by = np.where(np.arange(4) == random.integers(0, 4), size, 0) if kind == 2 else by
-    return in_stick(scene, by)
+    size = 10 ** random.uniform(-9, -3)
+    kinds = random.choice([-1, 1], 4), random.uniform(-1, 1, 4), np.eye(4)[random.integers(0, 4)]
+    return in_stick(scene, size * kinds[random.integers(0, 3)])
 
 
 def in_stick(scene, by):

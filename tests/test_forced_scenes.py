@@ -19,9 +19,8 @@ from numerics.arithmetic.precision import precision
 def test_rates_out_of_all_proportion_are_refused_in_one_line(a2, way):
     """@example of a found fault: ZeroDivisionError."""
     scene = Scene(Pair(1, 1, a2, "0.05", a1=1), State(), 3, force=Force.sine("0.45", 5))
-    with pytest.raises(NumericsError) as refused:
+    with pytest.raises(NumericsError, match=r"\A.*\Z"):
         solve(scene, arithmetic=way)
-    assert len(str(refused.value).splitlines()) == 1
 
 
 def test_more_digits_than_a_float_has_decades_are_reached_at_once():
@@ -29,9 +28,8 @@ def test_more_digits_than_a_float_has_decades_are_reached_at_once():
     scene = forced_scene("sine-stick-slip")
     few, many = (solve(scene, digits=n, arithmetic="ball", max_digits=500) for n in (360, 400))
     with precision(2000):
-        for one, two in zip(few.event_times, many.event_times, strict=True):
-            texts = (run.arithmetic.text(t, 380) for run, t in ((few, one), (many, two)))
-            assert abs(arb(next(texts)) - arb(next(texts))) < arb("1e-355")
+        assert overlap(few, many)
+        assert max(one.rad() for one in few.event_times) < arb("1e-355")
 
 
 @reaching
@@ -39,14 +37,11 @@ def test_more_digits_than_a_float_has_decades_are_reached_at_once():
 def test_a_force_of_zero_is_no_force(pair, data):
     """Two engines answer: that of the free pair, and that of every scene."""
     free = Scene(pair, data.draw(states(pair)), 2)
-    nothing = Scene(pair, free.initial, 2, force=Force((Piece(0), Piece(1))))
+    how = {"digits": 15, "arithmetic": "ball", "max_events": 30, "max_digits": 100}
     try:
-        one, two = (
-            solve(each, digits=15, arithmetic="ball", max_events=30, max_digits=100) for each in (free, nothing)
-        )
+        assert overlap(solve(free, **how), solve(free.replace(force=Force((Piece(0), Piece(1)))), **how))
     except (EventUndecided, OutOfRange):
         raise LeftOut from None
-    assert overlap(one, two)
 
 
 def test_what_begins_at_a_tie_of_high_order_may_end_soon():

@@ -1,14 +1,12 @@
 """What the solver says that it does not know, frozen: bounds, radii, and how large errors of a start lead into doubt.
 
-With them the middles of balls, derivatives among them, and what batches answer. From tests, `python -m oracle.bounds`
-freezes those of today.
+From tests, `python -m oracle.bounds` freezes those of today.
 """
 
 import json
 import lzma
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import islice
@@ -58,23 +56,23 @@ PROVE = "if a bound became smaller, or a doubt (number 0) begins later, prove it
 CHANGED = f"{PROVE} freeze anew with `python -m oracle.bounds`, from tests"
 NEAR, HALVINGS, EVENTS = 1.003, 14, 8
 BALLS = Ball(40)
-WITHIN = {"floats": 1.001, "rounded floats": 1.1, "balls": 1.001, "rounded balls": 1.5, "answers": 1 + 1e-6}
+WITHIN = {"floats": 1.001, "rounded floats": 1.1, "balls": 1.001, "rounded balls": 1.5}
 """By which factor a number of each kind may change."""
 
 
 class Run(NamedTuple):
-    """How a scene is followed with errors of a size at the start (None: in doubt), and bounds and answers of it."""
+    """How a scene is followed with errors of a size at the start (None: in doubt), and the bounds of that."""
 
     kind: str
     name: str
     follow: Callable[[float], Any]
-    numbers: Callable[[Any], tuple[Numbers, Numbers]]
+    numbers: Callable[[Any], Numbers]
 
 
 def runs() -> Iterator[Run]:
     for k in range(300 if can_compile() else 12):
         scene = a_scene(random := np.random.default_rng(k))
-        scene = replace(scene, until=scene.until * (40 if k % 8 == 7 and k > 12 else 1))  # a stick may be stepped over
+        scene = scene.replace(until=scene.until * (40 if k % 8 == 7 and k > 12 else 1))  # a stick may be stepped over
         by = np.array(errors(random, scene), dtype=float)
         by /= max(abs(by).max(), 1e-9)
         yield Run("floats", f"{k} kernel", partial(in_floats, scene, by), partial(of_floats, scene))
@@ -102,12 +100,12 @@ def in_floats(scene: Scene, by: Any, size: float) -> Any:
     return None if found.modes is None else found
 
 
-def of_floats(scene: Scene, found: Any) -> tuple[Numbers, Numbers]:
+def of_floats(scene: Scene, found: Any) -> Numbers:
     """Bounds of rows, of the end, and what is read off these."""
     pair = scene.pair
     weights = float(pair.a2), float(pair.m1), float(pair.m2)
     read = compiled(errors_of)(found.rows, found.end, starts_of(scene)[0], weights, 1.0, 2.0**-53)
-    return [*found.rows[:EVENTS, BOUNDS].ravel(), *found.end[ENDS], *read[1:3], read[3].max()], []
+    return [*found.rows[:EVENTS, BOUNDS].ravel(), *found.end[ENDS], *read[1:3], read[3].max()]
 
 
 def in_balls(scene: Scene, engine: Any, size: float) -> Any:
@@ -118,7 +116,7 @@ def in_balls(scene: Scene, engine: Any, size: float) -> Any:
         return None
 
 
-def of_balls(found: Any) -> tuple[Numbers, Numbers]:
+def of_balls(found: Any) -> Numbers:
     """Of events, the end, the ledger, a state within, derivatives of all of them."""
     with found.arithmetic.context():
         ledger, at = found.ledger, 0.37 * float(found.end_time)
@@ -127,8 +125,7 @@ def of_balls(found: Any) -> tuple[Numbers, Numbers]:
         with suppress(NumericsError):
             _, *more = *vars(sensitivities(found)).values(), sensitivities(found, at)
             parts += more
-        balls = [one for part in parts for one in np.ravel(part)]
-        return [float(one.rad()) for one in balls], [float(one.mid()) for one in balls]
+        return [float(one.rad()) for part in parts for one in np.ravel(part)]
 
 
 def batches() -> Iterator[tuple[str, Any]]:
@@ -136,13 +133,10 @@ def batches() -> Iterator[tuple[str, Any]]:
     v, paper = np.linspace(-0.3, 0.3, 40), {"m1": 1, "m2": 1, "a2": 200, "b": 0.05, "until": 3, "keep_events": 6}
     jumps = Friction([("0.3", "0.04"), ("0.9", "0.07"), (3, "0.02")])
     given = {
-        "free": {"v1": v},
         "literal": {"v1": v, "law": Law.THREE_VALUED_SGN},
         "masses": {"v1": v, "v2": -v / 3, "m1": 1 + v, "m2": 2 - v, "b": 0.01 + v * v, "until": 1 + v},
-        "damped": {"v1": v, "x1": v / 50, "a1": 1 + v},
         "sines": {"x1": v / 30, "sines": [(abs(v), 12 + v, v), (0.1, 7, 1)], "a1": 0.3},
-        "polynomial": {"v1": v, "polynomial": [v, 2 * v]},
-        "jumps": {"v1": v, "sines": [(abs(v), 12 + v, v)], "friction": jumps},
+        "polynomial and jumps": {"v1": v, "polynomial": [v, 2 * v], "friction": jumps},
         "pieces": {"v1": v, "force": [Force([Piece("0.2", [k], [Sine(k, 9)]), Piece("0.8")]) for k in range(len(v))]},
     }
     for name, numbers in given.items():
@@ -153,14 +147,12 @@ def asked(frozen: Frozen, part: int = 0, of: int = 1) -> Iterator[tuple[str, str
     """Kind, name and numbers of every answer; the sizes that lead into doubt are sought next to the frozen ones."""
     for kind, name, follow, numbers in islice(runs(), part, None, of):
         size = least_in_doubt(lambda size, follow=follow: follow(size) is not None, frozen.get(kind, {}).get(name, []))
-        (exact, answers), (some, _) = (
-            ([], []) if found is None else numbers(found)
+        exact, some = (
+            [] if found is None else numbers(found)
             for found in (follow(0.0), follow(size / (6 if kind == "floats" else 20)))
         )
         yield kind, name, [size, *some]
         yield f"rounded {kind}", name, exact
-        if kind == "balls":
-            yield "answers", name, answers
     if part:
         return
     for name in EXTREMES:
@@ -168,7 +160,6 @@ def asked(frozen: Frozen, part: int = 0, of: int = 1) -> Iterator[tuple[str, str
             found = solve(extreme_scene(name), arithmetic="float64", max_events=EVENTS).accuracy
             yield "rounded floats", f"{name} float64", parts(found, "t y final energy energy_excess dissipated digits")
     for name, found in batches():
-        yield "answers", name, parts(found, "y event_t event_y energy_excess dissipated status events event_mode")
         errors_of_it = "y_error event_t_error event_y_error energy_excess_error dissipated_error digits"
         yield "rounded floats", name, parts(found, errors_of_it)
 
@@ -200,7 +191,7 @@ def changed(kind: str, known: Any, found: Any) -> Iterator[str]:
     if len(known) != len(found):
         yield f"{len(found)} numbers, not {len(known)}"
         return
-    slack = {"answers": 1e-9 * np.nanmax(abs(known), initial=0), "floats": 1e-13}.get(kind, 0.0)  # what rounding leaves
+    slack = 1e-13 * (kind == "floats")  # what rounding leaves
     off = np.where(np.isfinite(known), (WITHIN[kind] - 1) * abs(known) + slack, 0.0)
     same = (found >= known - off) & (found <= known + off) | np.isnan(found) & np.isnan(known)
     for k in np.flatnonzero(~same)[:1]:
@@ -210,7 +201,7 @@ def changed(kind: str, known: Any, found: Any) -> Iterator[str]:
 def freeze() -> None:
     found: Frozen = {kind: {} for kind in WITHIN}
     for kind, name, numbers in asked({}):
-        found[kind][name] = [float(f"{one:.8g}" if kind == "answers" else f"{one:.5g}") for one in numbers]
+        found[kind][name] = [float(f"{one:.5g}") for one in numbers]
     FROZEN.write_bytes(lzma.compress(json.dumps(found, separators=(",", ":")).encode(), preset=9))
 
 
