@@ -121,7 +121,7 @@ def first_root(
         guess = crossing(c, at)
         s = -1.0
         if guess >= 0.0:
-            near = newton(q[: DEGREE + 1], guess, at, 1e-3)  # of few terms, which cost little
+            near = newton(q[: 2 * DEGREE], guess, at, 1e-6)  # of few terms, which cost little
             s = newton(q, near if near > 0.0 else guess, at, 1e-9)
         if s > 0.0:
             value, slope = value_slope(q, s)

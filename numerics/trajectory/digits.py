@@ -13,7 +13,7 @@ a zero to n digits below 10^(-4 n) of its scale, as digits cost little there.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -114,9 +114,8 @@ class Accuracy(ShortRepr):
 
 
 class Judged(NamedTuple):
-    """Bounds on the times of events (s), on the last energy (J) and excess; and what has so many right digits."""
+    """Bounds on the last energy (J) and excess; and what has so many right digits."""
 
-    late: Floats
     energy: float
     excess: float
     digits: int
@@ -137,14 +136,14 @@ def judged(trajectory: Any) -> Judged:
     if trajectory.bounded:
         return _judged_floats(trajectory)
     found = _judged_balls(trajectory) if trajectory.arithmetic.name == "ball" else (0, ())
-    return Judged(np.empty(0), math.nan, math.nan, *found)
+    return Judged(math.nan, math.nan, *found)
 
 
 def _judged_floats(trajectory: Any) -> Judged:
     record, scene = trajectory.record, trajectory.scene
     judge = compiled(errors_of) if compiles_now() else np.errstate(all="ignore")(errors_of)
     weights, critical = _weights(scene)
-    late, energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
+    energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
     if scene.wall.pieces:  # the spring is longer or shorter than x1
         end = record.end[_STATE]
         x1, stretched = abs(float(end[0])), abs(float(end[0] - float(scene.wall(Fraction(trajectory.end_time)))))
@@ -152,10 +151,10 @@ def _judged_floats(trajectory: Any) -> Judged:
             weights[0] * max(0.0, stretched - x1) * (record.end[_STATE_ERRORS][0] + 8 * ROUNDING * (x1 + stretched))
         )
         excess = energy / critical + 8 * ROUNDING * (1 + trajectory.final_energy / critical)
-    digits, least = _digits(worst.tolist(), MOST_DIGITS)
+    digits, least = _digits(worst, MOST_DIGITS)
     if digits and not trajectory.certain:
         digits, least = 0, ()
-    return Judged(late, energy, excess, digits, least)
+    return Judged(energy, excess, digits, least)
 
 
 def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
@@ -201,7 +200,7 @@ def _relative(balls: Any, size: arb, scale: arb | None = None, on_the_way: arb |
     return found
 
 
-def _digits(worst: list[float], most: int) -> tuple[int, tuple[str, ...]]:
+def _digits(worst: Sequence[float], most: int) -> tuple[int, tuple[str, ...]]:
     """Return how many digits the worst relative errors leave right, `most` at most, and of what no more."""
     digits = [(min(most, math.floor(-math.log10(one))) if one > 0 else most) if one < 1 else 0 for one in worst]
     fewest = min(digits)
@@ -212,7 +211,8 @@ def accuracy_of(trajectory: Any, found: Judged) -> Accuracy:
     """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
     if not trajectory.bounded:
         return _radii(trajectory, found.digits)
-    record, (late, energy, excess, digits, _) = trajectory.record, found
+    record, (energy, excess, digits, _) = trajectory.record, found
+    late = record.rows[trajectory.event_rows, AT["late"]] + 4 * ROUNDING * trajectory.event_times
     errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], 2 * trajectory.ledger.error
     return Accuracy(late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, trajectory.certain, digits)
 

@@ -5,6 +5,7 @@ import subprocess
 import sys
 import threading
 
+import numpy as np
 import pytest
 from sixty_digits import forced_scene
 
@@ -20,7 +21,7 @@ needs_numba = pytest.mark.skipif(not can_compile(), reason="numba is not install
 @pytest.mark.parametrize("name", ["many-causes", "damping-heavy", "resonance-in-slip", "sweep", "friction-by-pieces"])
 def test_a_forced_run_has_the_same_answers(name, monkeypatch):
     fast = run_scene(forced_scene(name), Float64(), 1000)
-    monkeypatch.setattr("numerics.linear.engine.compiled", lambda function: function)
+    monkeypatch.setattr("numerics.linear.engine.compiled", np.errstate(all="ignore"))
     plain = run_scene(forced_scene(name), Float64(), 1000)
     assert plain.modes == fast.modes
     assert (abs(plain.event_times - fast.event_times) <= plain.accuracy.t + fast.accuracy.t).all()
