@@ -23,6 +23,9 @@ def evolve(run: Run, now: Now, s: float) -> Now:
             polynomial_of(tables.rows[at][x], tables.degrees[at][x], run.z, 0, run.q)
             run.y[x], slope = value_slope(run.q, s)
             run.y[x + 1] = slope / h
+        if now.mode == 0 and run.norm.root_m2 == 0.0:  # exactly the velocity of a steady belt
+            polynomial_of(tables.rows[at][V1], tables.degrees[at][V1], run.z, 0, run.q)
+            run.y[V1], _ = value_slope(run.q, s)
     else:
         for i in range(STATE):
             run.y[i] = dot(lines[FLOW + i], run.z)

@@ -90,11 +90,7 @@ def follow(problem: Problem, space: Any, start: Any, clear_until: float, log: Lo
             break
     else:
         how = TOO_MANY
-    if how == REACHED and now.mode == 0:
-        form_z(run, now.piece)
-        enter(run, now.piece, 0)
-        how = STUCK if run.norm.root_m2 > 0.0 and rest_is_calm(run, now) else REACHED
-    return how, close(run, now, how, log)
+    return close(run, now, how, log)
 
 
 @compilable
@@ -199,14 +195,16 @@ def write(run: Run, row: Any, now: Now, late: float) -> None:
 
 
 @compilable
-def close(run: Run, now: Now, how: int, log: Log) -> int:
-    """Write the row of the end, and return how many rows there are."""
+def close(run: Run, now: Now, how: int, log: Log) -> tuple[int, int]:
+    """Write the row of the end; return how the run ended, and how many rows there are."""
     end, counts = log.end, run.counts
     if how != EVENT_LIMIT:
         form_z(run, now.piece)
         enter(run, now.piece, now.mode)
+        if how == REACHED and now.mode == 0 and run.norm.root_m2 > 0.0 and rest_is_calm(run, now):
+            how = STUCK
         write(run, end, now, 0.0)
         end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
     end[_HOW], end[_EVENTS] = how, counts[1]
     end[_EVENTS + 1 :] = math.nan
-    return int(counts[2]) + 1 if how == EVENT_LIMIT else int(counts[0])
+    return how, int(counts[2]) + 1 if how == EVENT_LIMIT else int(counts[0])
