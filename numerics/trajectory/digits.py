@@ -119,8 +119,13 @@ class Judged(NamedTuple):
     energy: float
     excess: float
     digits: int
-    least: tuple[str, ...]
-    """The quantities (JUDGED) that have no more than these."""
+    worst: Sequence[float]
+    """The worst relative errors of what JUDGED names; none where nothing is known."""
+
+    @property
+    def least(self) -> tuple[str, ...]:
+        """Return the quantities that have no more digits."""
+        return tuple(name for name, one in zip(JUDGED, self.worst, strict=False) if _right(one) <= self.digits)
 
 
 @lru_cache(maxsize=128)
@@ -135,8 +140,10 @@ def judged(trajectory: Any) -> Judged:
     """Return what the bounds of a run in floats leave, or the balls of another one; mpmath knows nothing."""
     if trajectory.bounded:
         return _judged_floats(trajectory)
-    found = _judged_balls(trajectory) if trajectory.arithmetic.name == "ball" else (0, ())
-    return Judged(math.nan, math.nan, *found)
+    if trajectory.arithmetic.name != "ball":
+        return Judged(math.nan, math.nan, 0, ())
+    worst = _worst_of_balls(trajectory)
+    return Judged(math.nan, math.nan, min(trajectory.arithmetic.digits, _right(max(worst))), worst)
 
 
 def _judged_floats(trajectory: Any) -> Judged:
@@ -151,13 +158,12 @@ def _judged_floats(trajectory: Any) -> Judged:
             weights[0] * max(0.0, stretched - x1) * (record.end[_STATE_ERRORS][0] + 8 * ROUNDING * (x1 + stretched))
         )
         excess = energy / critical + 8 * ROUNDING * (1 + trajectory.final_energy / critical)
-    digits, least = _digits(worst, MOST_DIGITS)
-    if digits and not trajectory.certain:
-        digits, least = 0, ()
-    return Judged(energy, excess, digits, least)
+    if not trajectory.certain and _right(max(worst)):
+        return Judged(energy, excess, 0, ())
+    return Judged(energy, excess, min(MOST_DIGITS, _right(max(worst))), worst)
 
 
-def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
+def _worst_of_balls(trajectory: Any) -> list[float]:
     with trajectory.context():
         (times, states), mass = trajectory._own_moments, Ball.number(trajectory.scene.pair.m1)
         energies = energy_of(trajectory, times, states)
@@ -165,14 +171,13 @@ def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
         far: arb = _largest(x)
         carried: Any = [] if trajectory.row_excess is None else trajectory.row_excess
         slow, fast = _rate(trajectory.scene) * far, _mean_speed(times, states[0])
-        worst = [
+        return [
             max((_relative([t], abs(t.mid())) for t in trajectory.event_times), default=0.0),
             _relative(x, far),
             _relative(v, _largest(v), slow, max(fast, _mean_speed(times, states[2]))),
             _relative(energies[-1:], _largest(energies), mass * slow * slow / 2, mass * fast * fast / 2),
             _relative(carried[-1:], _largest(carried)),
         ]
-    return _digits(worst, trajectory.arithmetic.digits)
 
 
 def _largest(balls: Any) -> arb:
@@ -200,11 +205,9 @@ def _relative(balls: Any, size: arb, scale: arb | None = None, on_the_way: arb |
     return found
 
 
-def _digits(worst: Sequence[float], most: int) -> tuple[int, tuple[str, ...]]:
-    """Return how many digits the worst relative errors leave right, `most` at most, and of what no more."""
-    digits = [(min(most, math.floor(-math.log10(one))) if one > 0 else most) if one < 1 else 0 for one in worst]
-    fewest = min(digits)
-    return fewest, tuple(name for name, count in zip(JUDGED, digits, strict=True) if count == fewest)
+def _right(error: float) -> int:
+    """Return how many digits a relative error leaves right."""
+    return (math.floor(-math.log10(error)) if error > 0 else EXACT) if error < 1 else 0
 
 
 def accuracy_of(trajectory: Any, found: Judged) -> Accuracy:
