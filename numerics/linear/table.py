@@ -20,7 +20,7 @@ from numerics.linear.model import FIRST, FRICTION, STICK, V1, V2, X1, X2, Norm, 
 
 UNIT = 2.0**-53
 """A rounding of float64."""
-REACH, TERMS = 1.9, 24
+REACH, TERMS = 2.0, 26
 """rate h of a step, and how many Taylor terms make truncation smaller than rounding."""
 ORDERS = 8
 """A guard starts with so many vanishing coefficients at most, less one."""
