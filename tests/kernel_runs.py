@@ -20,7 +20,7 @@ from numerics.linear.exact_start import exact_knots
 from numerics.linear.kernel import Log, begin, follow
 from numerics.linear.prepare import Prepared, prepare
 from numerics.linear.record import AT, END_ROW, ROW, How, Record, finish
-from numerics.linear.room import form_z, run_of, space_for
+from numerics.linear.room import enter, form_z, run_of, space_for
 from numerics.trajectory.events import taken_in
 
 BOUNDS = [AT[name] for name in ("late", "x1_error", "v1_error", "x2_error", "v2_error")]
@@ -116,5 +116,6 @@ def begun(scene, mode=0, by=NOTHING):
     start, run = prepared.start.copy(), run_of(prepared.problem, space_for(prepared.problem.tables))
     start[AT["mode"]], start[AT["jump"]], start[BOUNDS[1:]] = mode, 0, by
     now, _ = begin(run, start)
-    form_z(run, 0, mode, False)
+    form_z(run, 0)
+    enter(run, 0, mode)
     return run, now

@@ -19,6 +19,8 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any, TypeVar
 
+import numpy as np
+
 from numerics.files import cache_folder, forget_unused, make_private
 
 try:
@@ -71,9 +73,12 @@ def compiles_now() -> bool:
 
 
 def compiled(function: _Function) -> _Function:
-    """Return a function, compiled when it is first called, without the lock of Python; as it stands without numba."""
+    """Return a function, compiled when it is first called, without the lock of Python; as it stands without numba.
+
+    There numpy's scalars would warn of what the kernel itself looks for.
+    """
     if not can_compile():
-        return function
+        return np.errstate(all="ignore")(function)
     with _ONE_AT_A_TIME:
         return _kept(function)
 

@@ -16,7 +16,7 @@ from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats
 from numerics.linear.evolve import moved
 from numerics.linear.model import EDGE, FORCE, FORCE_2, FRICTION, LOAD, STICK, V1, WALL, X1
-from numerics.linear.room import Now, Run, dot, form_z, load_off, place_of
+from numerics.linear.room import Now, Run, dot, enter, form_z, load_off, place_of
 from numerics.linear.table import OTHERS, RATES, STATE, UNIT
 
 _MOST_COLUMNS, _MOST_STEPS = 64, 2.0**36
@@ -109,7 +109,8 @@ def long_step(run: Run, now: Now) -> Now:
             own[i] = math.ldexp((count + 8) * UNIT, level + 2) * most  # each squaring doubles what is off
         added = scale[0] * own[0] + (scale[1] + scale[3]) * own[1]
         now = moved(run, now, TwoFloats(math.ldexp(h, level), 0.0), (added, own[0], own[2]), 1.0)
-        form_z(run, now.piece, 0, False)
+        form_z(run, now.piece)
+        enter(run, now.piece, 0)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)

@@ -6,7 +6,6 @@ again from what is known exactly: ties, touches, jumps that meet an event.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -29,8 +28,6 @@ from numerics.linear.table import ORDERS, UNIT
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
-_LARGEST = 1020
-"""Energies up to 2 to this power (J) are numbers of binary64."""
 _MOST_ORDER = ORDERS - 1
 """Derivatives of a guard that may vanish at an exact start."""
 _STATE = slice(AT["x1"], AT["x1"] + 4)
@@ -51,7 +48,6 @@ def run_linear(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: 
     return run_enclosed(scene, arithmetic, max_events, progress)
 
 
-@np.errstate(all="ignore")  # where nothing is compiled numpy's scalars warn of what the kernel itself looks for
 def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) -> Record:
     """Solve a scene in float64. Raises EventUndecided, OutOfRange."""
     prepared, cells = prepare(scene), cells_of(scene)
@@ -66,10 +62,7 @@ def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) 
     _require_answer(how, prepared, end)
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
-    units = prepared.units
-    most = max(rows[:, _STATE].max(), -rows[:, _STATE].min(), *map(abs, end[_STATE].tolist()), 1.0)
-    energy = 2.0 * math.log2(most) + units.of(mass=1, length=2, time=-2)
-    if energy > _LARGEST or not compiled(finish)(rows, end, *units):
+    if not compiled(finish)(rows, end, *prepared.units):
         raise OutOfRange.of("a position, a velocity or an energy on the way", "float64")
     return Record(rows, end, How(how), int(end[AT["events"]]))
 

@@ -22,13 +22,13 @@ _TINY = 2.0**-1060
 @compilable_with(makes_arrays=True, forceinline=False)
 def errors_of(
     rows: Any, end: Any, starts: Any, weights: tuple[float, float, float], critical: float, rounding: float
-) -> tuple[Any, float, float, Any]:
-    """Return bounds on the events' times (s), on energy (J) and excess at the end, and the worst relative errors (5,).
+) -> tuple[float, float, tuple[float, float, float, float, float]]:
+    """Return bounds on energy (J) and excess at the end, and the worst relative errors.
 
     These are of what JUDGED names; `weights` are a2, m1 and m2; inf where a bound is no number. The largest velocity
     and energy are those of the rows, or of a mean velocity between them, which is attained on the way.
     """
-    count, events, late, worst = len(rows), 0, np.empty(len(rows)), np.zeros(5)
+    count, late = len(rows), 0.0
     sizes, errors, highest, last, before, earlier = np.zeros(2), np.zeros(2), 0.0, 0.0, end, 0.0
     fast = np.zeros(2)  # of body 1 and 2
     for index in range(count + 1):
@@ -49,9 +49,7 @@ def errors_of(
         before, earlier = row, t
         if index < count and row[_EVENT] == 1.0:
             # 4 roundings: of where the piece begins, and of the sum
-            late[events] = row[_LATE] + 4 * rounding * t
-            worst[0] = max(worst[0], relative(late[events], t))
-            events += 1
+            late = max(late, relative(row[_LATE] + 4 * rounding * t, t))
     energy = 8 * rounding * last
     if end[_X1] != 0 or end[_X1 + 1] != 0 or end[_X1 + 3] != 0:
         energy += _TINY
@@ -62,10 +60,10 @@ def errors_of(
     if weights[0] == 0.0 and earlier > 0.0:
         rate = 1.0 / earlier
     slow = rate * sizes[0]
-    worst[1], worst[2] = relative(errors[0], sizes[0]), moved(errors[1], sizes[1], max(fast[0], fast[1]), slow)
-    worst[3] = moved(energy, highest, weights[1] * fast[0] * fast[0] / 2, weights[1] * slow * slow / 2)
+    place, speed = relative(errors[0], sizes[0]), moved(errors[1], sizes[1], max(fast[0], fast[1]), slow)
+    taken = moved(energy, highest, weights[1] * fast[0] * fast[0] / 2, weights[1] * slow * slow / 2)
     # the excess is formed from the energy
-    return late[:events].copy(), energy, energy / critical + 8 * rounding * (1 + last / critical), worst
+    return energy, energy / critical + 8 * rounding * (1 + last / critical), (late, place, speed, taken, 0.0)
 
 
 @compilable
@@ -101,5 +99,5 @@ def errors_of_rows(numbers: Any, kept: Any, ends: Any, rounding: float) -> Any:
         count, push = 1 + min(int(ends[n, _EVENTS]), kept.shape[1] - 1), b * (1.0 + m1 / m2)
         critical, weight_2 = push * push / (2 * a2) if a2 * b > 0.0 else math.nan, m2 if math.isfinite(m2) else 0.0
         judged = errors_of(kept[n, :count], ends[n], at_once, (a2, m1, weight_2), critical, rounding)
-        found[0, n], found[1, n] = judged[2], judged[3].max()
+        found[0, n], found[1, n] = judged[1], max(judged[2])
     return found

@@ -18,11 +18,16 @@ def evolve(run: Run, now: Now, s: float) -> Now:
     """Move state, clock and errors by a part s of a step; return where the run is."""
     tables, at, is_part = run.tables, place_of(run, now), 1 if s != 1.0 else 0
     h, lines = tables.steps[at], tables.lines[at]
-    for i in range(STATE):
-        if is_part:
-            polynomial_of(tables.rows[at][i], tables.degrees[at][i], run.z, 0, run.q)
-            run.y[i], _ = value_slope(run.q, s)
-        else:
+    if is_part:
+        for x in range(X1, STATE if now.mode != 0 else V1, X2 - X1):
+            polynomial_of(tables.rows[at][x], tables.degrees[at][x], run.z, 0, run.q)
+            run.y[x], slope = value_slope(run.q, s)
+            run.y[x + 1] = slope / h
+        if now.mode == 0 and run.norm.root_m2 == 0.0:  # exactly the velocity of a steady belt
+            polynomial_of(tables.rows[at][V1], tables.degrees[at][V1], run.z, 0, run.q)
+            run.y[V1], _ = value_slope(run.q, s)
+    else:
+        for i in range(STATE):
             run.y[i] = dot(lines[FLOW + i], run.z)
     own = rounded(lines, 0, s, run.size), rounded(lines, 1, s, run.size), rounded(lines, 2, s, run.size)
     both_stick = now.mode == 0 and not is_part and now.late == 0.0

@@ -88,8 +88,8 @@ def value_slope(q: Any, s: float) -> tuple[float, float]:
 
 
 @compilable
-def newton(q: Any, guess: float, theta: float) -> float:
-    """Return where q falls through 0 next to a guess in (0, theta], or -1."""
+def newton(q: Any, guess: float, theta: float, close: float) -> float:
+    """Return where q falls through 0 next to a guess in (0, theta], or -1; steps end below so much of it."""
     s = guess
     for _ in range(_NEWTON):
         value, slope = value_slope(q, s)
@@ -99,14 +99,16 @@ def newton(q: Any, guess: float, theta: float) -> float:
         s = s - change
         if not 0.0 < s <= theta:
             return -1.0
-        if abs(change) <= 1e-9 * s:
+        if abs(change) <= close * s:
             return s
     return -1.0
 
 
 @compilable
-def first_root(q: Any, margins: tuple[float, float, float], theta: float, c: Any) -> tuple[int, float, float]:
-    """Return (how, s, D): the first root of q in (0, theta].
+def first_root(
+    q: Any, margins: tuple[float, float, float], theta: float, c: Any
+) -> tuple[int, float, float, float, float]:
+    """Return (how, s, D, value, slope): the first root of q in (0, theta], and what q is there.
 
     CLEAR: none up to s. ROOT: at s, alone within D of it. The margin of q up to s is m0 + m1 s + m2/s of `margins`.
     """
@@ -115,16 +117,19 @@ def first_root(q: Any, margins: tuple[float, float, float], theta: float, c: Any
     for _ in range(_HALVINGS):
         low = lower_bound(q, at, c)
         if low > m0 + m1 * at + m2 / at:
-            return CLEAR, at, 0.0
+            return CLEAR, at, 0.0, 0.0, 0.0
         guess = crossing(c, at)
-        s = newton(q, guess, at) if guess >= 0.0 else -1.0
+        s = -1.0
+        if guess >= 0.0:
+            near = newton(q[: 2 * DEGREE], guess, at, 1e-6)  # of few terms, which cost little
+            s = newton(q, near if near > 0.0 else guess, at, 1e-9)
         if s > 0.0:
-            _, slope = value_slope(q, s)
+            value, slope = value_slope(q, s)
             bend, alone = bend_bound(q, at), 0.5 * s
             if bend > 0.0:
                 alone = min(alone, 0.25 * abs(slope) / bend)
             before = s - alone
             if lower_bound(q, before, c) > m0 + m1 * before + m2 / before and slope < 0.0:
-                return ROOT, s, alone
+                return ROOT, s, alone, value, slope
         at *= 0.5
-    return UNDECIDED, at, 0.0
+    return UNDECIDED, at, 0.0, 0.0, 0.0

@@ -34,7 +34,7 @@ from numerics.linear.resolve import (
     resolve,
 )
 from numerics.linear.resolve import UNDECIDED as UNDECIDED_MODE
-from numerics.linear.room import Now, Problem, Run, form_z, place_of, run_of
+from numerics.linear.room import Now, Problem, Run, enter, form_z, place_of, run_of
 from numerics.linear.table import STATE, UNIT
 
 GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
@@ -69,15 +69,15 @@ def follow(problem: Problem, space: Any, start: Any, clear_until: float, log: Lo
     now, event = begin(run, start)
     calm, how = Calm(False, 0, 0), GOES_ON
     for step in range(MOST_STEPS):
+        form_z(run, now.piece)
         if event.kind != NOTHING:
-            form_z(run, now.piece, now.mode, True)
             before, now = now, resolve(run, now, event)
             is_event = event.kind == EXIT or (run.counts[0] > 0 and now.mode != before.mode)
             how = DOUBT if now.mode == UNDECIDED_MODE else record(run, now, event, is_event, log)
             calm = Calm(False, step, step)
             if how != GOES_ON:
                 break
-        form_z(run, now.piece, now.mode, False)
+        enter(run, now.piece, now.mode)
         now, calm = step_over(run, now, calm, step)
         to = step_from(run, now, calm.is_calm, clear_until if run.counts[0] == 1 else -1.0)
         ahead = next_event(run, now, to)
@@ -90,10 +90,7 @@ def follow(problem: Problem, space: Any, start: Any, clear_until: float, log: Lo
             break
     else:
         how = TOO_MANY
-    if how == REACHED and now.mode == 0:
-        form_z(run, now.piece, 0, False)
-        how = STUCK if run.norm.root_m2 > 0.0 and rest_is_calm(run, now) else REACHED
-    return how, close(run, now, how, log)
+    return close(run, now, how, log)
 
 
 @compilable
@@ -198,13 +195,16 @@ def write(run: Run, row: Any, now: Now, late: float) -> None:
 
 
 @compilable
-def close(run: Run, now: Now, how: int, log: Log) -> int:
-    """Write the row of the end, and return how many rows there are."""
+def close(run: Run, now: Now, how: int, log: Log) -> tuple[int, int]:
+    """Write the row of the end; return how the run ended, and how many rows there are."""
     end, counts = log.end, run.counts
     if how != EVENT_LIMIT:
-        form_z(run, now.piece, now.mode, False)
+        form_z(run, now.piece)
+        enter(run, now.piece, now.mode)
+        if how == REACHED and now.mode == 0 and run.norm.root_m2 > 0.0 and rest_is_calm(run, now):
+            how = STUCK
         write(run, end, now, 0.0)
         end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
     end[_HOW], end[_EVENTS] = how, counts[1]
     end[_EVENTS + 1 :] = math.nan
-    return int(counts[2]) + 1 if how == EVENT_LIMIT else int(counts[0])
+    return how, int(counts[2]) + 1 if how == EVENT_LIMIT else int(counts[0])

@@ -15,7 +15,7 @@ from numerics.arithmetic.pair import pair_of, plus, put, two_product
 from numerics.linear.first_root import value_slope
 from numerics.linear.model import V1, V2, X1, X2, Norm
 from numerics.linear.record import AT
-from numerics.linear.room import Problem, Run, dot, form_z, meeting, polynomial_of, run_of, size_of
+from numerics.linear.room import Problem, Run, dot, enter, form_z, meeting, polynomial_of, run_of, size_of
 from numerics.linear.table import LINES, POWERS, STATE, UNIT
 
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
@@ -73,17 +73,19 @@ def step(run: Run, here: tuple[int, int, int], s: float, N: float, taken: Any) -
     tables, (piece, mode, kind) = run.tables, here
     side = 1 if mode == 0 else 0
     h, powers, cut = tables.steps[kind, side], tables.lines[kind, side, POWERS:LINES], parts(tables.rows.shape[4])
-    form_z(run, piece, mode, False)
-    for i in range(STATE):
-        polynomial_of(tables.rows[kind, side, i], tables.degrees[kind, side, i], run.z, 0, run.curves[i])
+    form_z(run, piece)
+    enter(run, piece, mode)
+    for body in range(2):
+        x = X2 * body
+        polynomial_of(tables.rows[kind, side, x], tables.degrees[kind, side, x], run.z, 0, run.curves[body])
     begun = pair_of(run.clock[0])
     for part in range(cut):
         for n in range(NODES.shape[0]):
             place = s * (part + NODES[n]) / cut
             put(run.clock[0], plus(begun, two_product(place, h)))
-            for i in range(STATE):
-                run.y[i], _ = value_slope(run.curves[i], place)
-            form_z(run, piece, mode, False)
+            put_state(run, place, h)
+            form_z(run, piece)
+            enter(run, piece, mode)
             weight = WEIGHTS[n] / cut * s * h
             for k in range(6):
                 one, a = factor(run, powers[2 * k], N)
@@ -91,8 +93,15 @@ def step(run: Run, here: tuple[int, int, int], s: float, N: float, taken: Any) -
                 taken[k] += weight * one * two
                 taken[6] += weight * (abs(one) * b + abs(two) * a + a * b)
     put(run.clock[0], plus(begun, two_product(s, h)))
-    for i in range(STATE):
-        run.y[i], _ = value_slope(run.curves[i], s)
+    put_state(run, s, h)
+
+
+@compilable
+def put_state(run: Run, s: float, h: float) -> None:
+    """Write the state from its Taylor polynomials."""
+    for body in range(2):
+        run.y[X2 * body], slope = value_slope(run.curves[body], s)
+        run.y[X2 * body + 1] = slope / h
 
 
 @compilable
@@ -103,7 +112,7 @@ def at_event(run: Run, row: Any) -> float:
         run.y[i] = row[_X1 + i]
     run.clock[0, 0], run.clock[0, 1] = row[_LOCAL], row[_REST]
     tables, kind = run.tables, meeting(run, piece, int(row[_CELL]), 0)
-    form_z(run, piece, 1, True)
+    form_z(run, piece)
     for side in range(2):
         for k in range(6):
             one, a = factor(run, tables.lines[kind, side, POWERS + 2 * k], N)

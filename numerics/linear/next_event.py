@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable
 from numerics.linear.evolve import grown, parting
-from numerics.linear.first_root import CLEAR, ROOT, first_root, value_slope
+from numerics.linear.first_root import CLEAR, ROOT, first_root
 from numerics.linear.model import AHEAD, FLOOR
 from numerics.linear.room import Now, Run, dot, load_off, place_of, polynomial_of
 from numerics.linear.table import ORDERS, STATE, SUMS, UNIT
@@ -85,10 +85,9 @@ def first_of_guard(run: Run, now: Now, guard: int, order: int, end: float) -> Ne
     if order > 0 and now.late > 0.0:  # the true segment began up to `late` away: as much as its guard changes meanwhile
         shift = (1.0 + order) * now.late / h * abs_slope(q)
         margins = margins[0] + shift, margins[1], margins[2]
-    how, s, alone = first_root(q, margins, end, run.bernstein)
+    how, s, alone, value, slope = first_root(q, margins, end, run.bernstein)
     if how != ROOT:
         return Next(how, s, guard, 0.0, 0.0, 0.0)
-    value, slope = value_slope(q, s)
     power = s**order
     return Next(ROOT, s, guard, alone, -slope * power / h, (abs(value) + off + s * rise) * power)
 

@@ -118,7 +118,7 @@ def mode_after(run: Run, now: Now, values: tuple[float, float], late: float) -> 
         return 0
     tables, kind = run.tables, meeting(run, now.piece, now.cell, 0)
     at_edge, fast = 0, 0.0
-    for mode in (-1, 0, 1):
+    for mode in range(first_mode(run), 2):
         at = meeting(run, now.piece, now.cell, mode), SLIP if mode != 0 else STICK
         for row in (RATES, RATES + 1):
             fast = max(fast, most_of(run, at, tables.lines[at][row], late))
@@ -132,14 +132,19 @@ def mode_after(run: Run, now: Now, values: tuple[float, float], late: float) -> 
 
 
 @compilable
+def first_mode(run: Run) -> int:
+    """Return the first of the modes that differ for either sign of b: one cell serves both slips."""
+    return -1 if len(run.tables.ends) > 1 else 0
+
+
+@compilable
 def reach_of(row: Any, z: Any, signed: Any) -> float:
     """Return the greatest value of a row for either sign of b."""
     own, of_friction = 0.0, 0.0
     for j in range(len(z)):
-        if signed[j] == 1.0:
-            of_friction += row[j] * z[j]
-        else:
-            own += row[j] * z[j]
+        term = row[j] * z[j]
+        of_friction += signed[j] * term
+        own += (1.0 - signed[j]) * term
     return abs(own) + abs(of_friction)
 
 
@@ -159,7 +164,7 @@ def most_of(run: Run, at: tuple[int, int], row: Any, late: float) -> float:
 def fastest(run: Run, now: Now, body: int, late: float) -> float:
     """Return the greatest |v1'| (body 0) or |v2'| (body 1) of any mode within `late` of where a run is."""
     place, most = V2 if body == 1 else V1, 0.0
-    for mode in (-1, 0, 1):
+    for mode in range(first_mode(run), 2):
         at = meeting(run, now.piece, now.cell, mode), SLIP if mode != 0 else STICK
         if mode != 0 or run.literal:  # else stick's is between those of the slips
             most = max(most, most_of(run, at, run.tables.A[at][place], late))

@@ -58,7 +58,7 @@ class Run(NamedTuple):
     """(terms,) Taylor coefficients of a guard, without those that are exactly 0; of a row of the state."""
     bernstein: Any
     curves: Any
-    """(4, terms) Taylor coefficients of the state."""
+    """(2, terms) Taylor coefficients of x1 and x2."""
     counts: Any
     """(3,) how many rows there were, also those left out, how many events, and which row was that of the last one."""
 
@@ -91,14 +91,14 @@ class Now(NamedTuple):
 def space_for(tables: Tables) -> NDArray[np.float64]:
     """Return room for the arrays of a run."""
     n, terms = tables.rows.shape[3:]
-    return np.zeros((13, max(terms, n + n % 2)))
+    return np.zeros((11, max(terms, n + n % 2)))
 
 
 @compilable
 def run_of(problem: Problem, space: Any) -> Run:
     """Return a run of a problem in some space; tuples of arrays are made where no references are counted."""
     norm, drive, tables, literal = problem
-    n, q, curves = tables.rows.shape[3], space[7], space[9:13]
+    n, q, curves = tables.rows.shape[3], space[7], space[9:11]
     y, clock, z, size, bernstein, counts = (
         space[0, :STATE],
         space[1:3, :2],
@@ -147,11 +147,8 @@ def size_of(row: Any, size: Any) -> float:
 
 
 @compilable
-def form_z(run: Run, piece: int, mode: int, is_event: bool) -> None:
-    """Form z at the time of the clock: the state, and the signals, b with the sign of a slip.
-
-    At an event its mode is still open: b has no sign, and the bodies need not be together.
-    """
+def form_z(run: Run, piece: int) -> None:
+    """Form z at the time of the clock, in no mode: b has no sign, and the bodies need not be together."""
     drive, tables, z, size, time = run.drive, run.tables, run.z, run.size, pair_of(run.clock[0])
     kind, coefficient, sine = drive.places[piece, 0], drive.places[piece, 1], drive.places[piece, 2]
     for i in range(STATE):
@@ -164,17 +161,23 @@ def form_z(run: Run, piece: int, mode: int, is_event: bool) -> None:
             swing(drive.sines[sine + k], time, sines + 2 * k, z, size)
         coefficient += terms
         sine += waves
-    if mode < 0 and not is_event:
-        for j in range(FIRST, len(z)):
-            if tables.lines[kind, 0, SIGNED, j] == 1.0:
-                z[j] = -z[j]
     if run.norm.root_m2 == 0.0:
         driven = tables.lines[kind, 0, OTHERS + DRIVEN]
         z[V2] = run.y[3] = dot(driven, z)
         size[V2] = size_of(driven, size)
-        if mode == 0 and not is_event:
-            z[V1], size[V1] = z[V2], size[V2]
-            run.y[1] = z[V2]
+
+
+@compilable
+def enter(run: Run, piece: int, mode: int) -> None:
+    """Bring z into a mode: b gets the sign of a slip, and in stick body 1 goes with the belt."""
+    z, signed = run.z, run.tables.lines[run.drive.places[piece, 0], 0, SIGNED]
+    if mode < 0:
+        for j in range(FIRST, len(z)):
+            if signed[j] == 1.0:
+                z[j] = -z[j]
+    elif mode == 0 and run.norm.root_m2 == 0.0:
+        z[V1], run.size[V1] = z[V2], run.size[V2]
+        run.y[1] = z[V2]
 
 
 @compilable
@@ -209,6 +212,6 @@ def polynomial_of(rows: Any, degrees: Any, z: Any, order: int, q: Any) -> None:
     for k in range(q.shape[0]):
         q[k] = 0.0
     for j in range(len(z)):
-        row, factor = rows[j], z[j]
-        for k in range(order, degrees[j]):
-            q[k - order] += row[k] * factor
+        row, factor = rows[j, order : degrees[j]], z[j]
+        for k in range(row.shape[0]):
+            q[k] += row[k] * factor

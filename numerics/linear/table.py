@@ -20,7 +20,7 @@ from numerics.linear.model import FIRST, FRICTION, STICK, V1, V2, X1, X2, Norm, 
 
 UNIT = 2.0**-53
 """A rounding of float64."""
-REACH, TERMS = 2.0, 28
+REACH, TERMS = 2.0, 26
 """rate h of a step, and how many Taylor terms make truncation smaller than rounding."""
 ORDERS = 8
 """A guard starts with so many vanishing coefficients at most, less one."""
@@ -140,7 +140,8 @@ def form_mode(
         for j in range(n):
             lines[FLOW + index, j] = total[j, 0]
             whole = (n + 4) * abs(total[j, 0]) + cut[j] / UNIT
-            for k, size in enumerate((whole, counts[0, j], counts[1, j])):
+            last = 2.0 * abs(table[j, table.shape[1] - 1]) / UNIT if index % 2 else 0.0  # velocities are slopes
+            for k, size in enumerate((whole, counts[0, j], counts[1, j] + last)):
                 own[3 * k, j] += scale[index] * size
                 if index % 2 == 0:
                     own[3 * k + 1 + index // 2, j] += size

@@ -13,7 +13,7 @@ a zero to n digits below 10^(-4 n) of its scale, as digits cost little there.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache, partial
@@ -119,14 +119,18 @@ class Accuracy(ShortRepr):
 
 
 class Judged(NamedTuple):
-    """Bounds on the times of events (s), on the last energy (J) and excess; and what has so many right digits."""
+    """Bounds on the last energy (J) and excess; and what has so many right digits."""
 
-    late: Floats
     energy: float
     excess: float
     digits: int
-    least: tuple[str, ...]
-    """The quantities (JUDGED) that have no more than these."""
+    worst: Sequence[float]
+    """The worst relative errors of what JUDGED names; none where nothing is known."""
+
+    @property
+    def least(self) -> tuple[str, ...]:
+        """Return the quantities that have no more digits."""
+        return tuple(name for name, one in zip(JUDGED, self.worst, strict=False) if _right(one) <= self.digits)
 
 
 @lru_cache(maxsize=128)
@@ -141,15 +145,17 @@ def judged(trajectory: Any) -> Judged:
     """Return what the bounds of a run in floats leave, or the balls of another one; mpmath knows nothing."""
     if trajectory.bounded:
         return _judged_floats(trajectory)
-    found = _judged_balls(trajectory) if trajectory.arithmetic.name == "ball" else (0, ())
-    return Judged(np.empty(0), math.nan, math.nan, *found)
+    if trajectory.arithmetic.name != "ball":
+        return Judged(math.nan, math.nan, 0, ())
+    worst = _worst_of_balls(trajectory)
+    return Judged(math.nan, math.nan, min(trajectory.arithmetic.digits, _right(max(worst))), worst)
 
 
 def _judged_floats(trajectory: Any) -> Judged:
     record, scene = trajectory.record, trajectory.scene
     judge = compiled(errors_of) if compiles_now() else np.errstate(all="ignore")(errors_of)
     weights, critical = _weights(scene)
-    late, energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
+    energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
     if scene.wall.pieces:  # the spring is longer or shorter than x1
         end = record.end[_STATE]
         x1, stretched = abs(float(end[0])), abs(float(end[0] - float(scene.wall(Fraction(trajectory.end_time)))))
@@ -157,13 +163,12 @@ def _judged_floats(trajectory: Any) -> Judged:
             weights[0] * max(0.0, stretched - x1) * (record.end[_STATE_ERRORS][0] + 8 * ROUNDING * (x1 + stretched))
         )
         excess = energy / critical + 8 * ROUNDING * (1 + trajectory.final_energy / critical)
-    digits, least = _digits(worst.tolist(), MOST_DIGITS)
-    if digits and not trajectory.certain:
-        digits, least = 0, ()
-    return Judged(late, energy, excess, digits, least)
+    if not trajectory.certain and _right(max(worst)):
+        return Judged(energy, excess, 0, ())
+    return Judged(energy, excess, min(MOST_DIGITS, _right(max(worst))), worst)
 
 
-def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
+def _worst_of_balls(trajectory: Any) -> list[float]:
     with trajectory.context():
         (times, states), mass = trajectory._own_moments, Ball.number(trajectory.scene.pair.m1)
         energies = energy_of(trajectory, times, states)
@@ -171,14 +176,13 @@ def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
         far: arb = _largest(x)
         carried: Any = [] if trajectory.row_excess is None else trajectory.row_excess
         slow, fast = _rate(trajectory.scene) * far, _mean_speed(times, states[0])
-        worst = [
+        return [
             max((_relative([t], abs(t.mid())) for t in trajectory.event_times), default=0.0),
             _relative(x, far),
             _relative(v, _largest(v), slow, max(fast, _mean_speed(times, states[2]))),
             _relative(energies[-1:], _largest(energies), mass * slow * slow / 2, mass * fast * fast / 2),
             _relative(carried[-1:], _largest(carried)),
         ]
-    return _digits(worst, trajectory.arithmetic.digits)
 
 
 def _largest(balls: Any) -> arb:
@@ -206,18 +210,17 @@ def _relative(balls: Any, size: arb, scale: arb | None = None, on_the_way: arb |
     return found
 
 
-def _digits(worst: list[float], most: int) -> tuple[int, tuple[str, ...]]:
-    """Return how many digits the worst relative errors leave right, `most` at most, and of what no more."""
-    digits = [(min(most, math.floor(-math.log10(one))) if one > 0 else most) if one < 1 else 0 for one in worst]
-    fewest = min(digits)
-    return fewest, tuple(name for name, count in zip(JUDGED, digits, strict=True) if count == fewest)
+def _right(error: float) -> int:
+    """Return how many digits a relative error leaves right."""
+    return (math.floor(-math.log10(error)) if error > 0 else EXACT) if error < 1 else 0
 
 
 def accuracy_of(trajectory: Any, found: Judged) -> Accuracy:
     """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
     if not trajectory.bounded:
         return _radii(trajectory, found.digits)
-    record, (late, energy, excess, digits, _) = trajectory.record, found
+    record, (energy, excess, digits, _) = trajectory.record, found
+    late = record.rows[trajectory.event_rows, AT["late"]] + 4 * ROUNDING * trajectory.event_times
     errors, end = record.rows[trajectory.event_rows, _STATE_ERRORS], record.end[_STATE_ERRORS]
     return Accuracy(late, errors, end, energy, excess, trajectory.certain, digits, partial(_off_in_ledger, trajectory))
 

@@ -25,7 +25,7 @@ def value(q, s):
 
 
 def rooted(q, margins, theta):
-    return first_root(q, margins, theta, np.zeros(8))
+    return first_root(q, margins, theta, np.zeros(8))[:3]
 
 
 @given(polynomials_of_roots(TERMS), st.data())
@@ -88,7 +88,7 @@ def test_what_follows_is_judged_by_the_load_that_there_is_when_a_late_event_come
     """In stick b is 0.6 and the load 0.6 (u - 2.3); it changes by 0.6 (1 + 0.3 v1') a second at most."""
     force = Force([Piece(0, [exact(2.3 + side * (1 + off), 15)])])
     run, now = begun(Scene(Pair("0.4", "0.6", 1, "0.6", "0.3"), State(2, 1, 0, 1), 9, force=force))
-    form_z(run, 0, 0, True)
+    form_z(run, 0)
     edge = tuple(float(run.tables.lines[0, 1, GUARDS + g] @ run.z) for g in range(2))
     gap = min(map(abs, edge))
     fastest = 0.6 * max(abs(1 + 0.75 * (side * (1 + off) + one * 0.6)) for one in (1, -1))

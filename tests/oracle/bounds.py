@@ -105,7 +105,7 @@ def of_floats(scene: Scene, found: Any) -> Numbers:
     pair = scene.pair
     weights = float(pair.a2), float(pair.m1), float(pair.m2)
     read = compiled(errors_of)(found.rows, found.end, starts_of(scene)[0], weights, 1.0, 2.0**-53)
-    return [*found.rows[:EVENTS, BOUNDS].ravel(), *found.end[ENDS], *read[1:3], read[3].max()]
+    return [*found.rows[:EVENTS, BOUNDS].ravel(), *found.end[ENDS], *read[:2], max(read[2])]
 
 
 def in_balls(scene: Scene, engine: Any, size: float) -> Any:
