@@ -89,7 +89,7 @@ def test_the_whole_report_is_a_paper():
     assert re.findall(SCREEN, source.partition(r"\begin{document}")[2], re.IGNORECASE) == []
     assert source.count(r"\tableofcontents") == 1
     assert properties(pdf) == {
-        "Title": report.title,
+        "Title": latex.TITLE,
         "Author": citation.of_package("Author"),
         "Subject": citation.of_package("Summary"),
         "Keywords": citation.of_package("Keywords").replace(",", ", "),

@@ -12,7 +12,7 @@ from paper_checks.claims import CLAIMS, claim_named
 from paper_checks.decide import kernel
 from paper_checks.evidence.finding import Verdict
 from paper_checks.proofs import library
-from paper_checks.report.formats.progress import OnPipe
+from paper_checks.report.formats.progress import Claims as Shown
 from paper_checks.running import rows as running
 from paper_checks.running.runner import Context
 
@@ -41,7 +41,7 @@ def test_only_the_theorems_of_the_claims_are_asked_for_and_the_files_that_are_co
 
     monkeypatch.setenv("PATH", "")
     monkeypatch.setattr(library, "prove", proved)
-    running.rows([claim_named("energy-rate")], Context(), 1, OnPipe(shown.append, 1))
+    running.rows([claim_named("energy-rate")], Context(), 1, Shown(lambda text, *_: shown.append(text), 1))
     last = "1/1 claims checked, last energy-rate"
     assert list(dict.fromkeys(shown)) == ["compiling Coq proofs 3/81", "checking energy-rate", last]
     assert asked == list(running.theorems([claim_named("energy-rate")])) == ["energy-rate", "energy-decreases"]
