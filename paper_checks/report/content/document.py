@@ -8,12 +8,12 @@ from typing import Any
 
 from numerics.trade.recorded import Trade
 from paper_checks.claims import source
-from paper_checks.derivation.chapter import lines_of, number
 from paper_checks.evidence.claim import FREE, Kind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.proofs.audit import register
 from paper_checks.report.content import citation, derivation, force, kernel, phrases, speed, story, trust
-from paper_checks.report.content.blocks import Block, Section, chapter, read, section
+from paper_checks.report.content.blocks import Section, chapter, section
+from paper_checks.report.content.told import told
 from paper_checks.running.runner import Row
 
 TITLE = f"{source.TITLE}: its claims, checked"
@@ -79,14 +79,8 @@ def paper(rows: Sequence[Row]) -> Document:
     return Document(tuple(filter(None, [before])), tuple(rows), {}, tuple(filter(None, map(section, texts))))
 
 
-def told(row: Row, *, page: bool = False) -> list[Block]:
-    """Return what is told of a claim, by itself or on the page."""
-    return read(chapter("claim", page=page, row=row, story=story, number=number, carried=lines_of(row.claim.id)))
-
-
 def _given(rows: Sequence[Row], *, paper: bool = False) -> dict[str, Any]:
     """Return what the chapters know."""
-
     return {
         "paper": paper,
         "rows": rows,

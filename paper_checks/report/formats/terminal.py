@@ -13,8 +13,8 @@ from rich.text import Text
 from paper_checks.evidence.claim import Claim, Kind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.report.content.blocks import every
-from paper_checks.report.content.document import told
 from paper_checks.report.content.phrases import headline, in_short, kind
+from paper_checks.report.content.told import told
 from paper_checks.report.mathematics.prose import plain
 from paper_checks.running.failing import Failure, lowest
 from paper_checks.running.runner import Row
