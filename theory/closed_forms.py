@@ -141,10 +141,3 @@ def residual(found: ModeSolution) -> tuple[Expr, ...]:
     known = coefficients(found.mode, found.regime)
     # Linear in the independent functions t, exp, cos, ... with rational coefficients: cancelling decides.
     return tuple(in_lowest_terms(put(entry, known)) for entry in system)
-
-
-@cache
-def slip_guard(mode: str, regime: DampingRegime) -> Expr:
-    """v1 - v2 along a slip, m/s: a decaying oscillation plus a line; its first zero ends the slip."""
-    found = solution(mode, regime)
-    return found.v1 - found.v2

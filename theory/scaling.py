@@ -112,12 +112,6 @@ def reduced_slip(sign: int, damped: bool = False) -> ImmutableMatrix:
 
 
 @cache
-def reduced_stick(damped: bool = False) -> ImmutableMatrix:
-    """d(X, V1, V2)/dtau in stick, dimensionless."""
-    return reduced_field(sliding_field(damped))
-
-
-@cache
 def reduced_energy() -> Expr:
     """E/E_cr in reduced coordinates, dimensionless."""
     return in_lowest_terms(to_reduced(energy() / critical_energy()))

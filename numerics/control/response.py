@@ -7,6 +7,7 @@ says more. Friction that depends on the state is refused: there several periodic
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
@@ -228,14 +229,20 @@ def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> R
 def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> Response:
     drive = orbit.drive
     regime = Regime.STICK_SLIP if any(leg.side == 0 for leg in orbit.legs) else Regime.NON_STOP
-    attraction = _attraction(orbit)
+    multipliers = tuple(orbit.multipliers())
+    attraction = _attraction(orbit, multipliers)
     # the only periodic motion of an odd force is odd itself, but for the constant part of x1
     drift = arb(0) if drive.is_odd and attraction.startswith(_EVERY) else orbit.travel / drive.period
-    return Response(drive, regime, known, orbit, tuple(orbit.multipliers()), drift, arb(0), attraction, digits)
+    return Response(drive, regime, known, orbit, multipliers, drift, arb(0), attraction, digits)
 
 
-def _attraction(orbit: Orbit) -> str:
-    """Return what is proved of other motions, "every motion ..." if it is the only periodic one."""
+def _attraction(orbit: Orbit, multipliers: Sequence[acb]) -> str:
+    """Return what is proved of other motions, "every motion ..." if it is the only periodic one.
+
+    Where all multipliers are below 1 a motion at a distance eps comes nearer by a factor theta < 1 in some periods. No
+    two motions part in the norm N: so one at a distance D > eps, with the point at eps on the way to it, comes nearer
+    by (1 - theta) eps in these.
+    """
     pair = orbit.drive.pair
     if pair.a1 > 0:
         return _EVERY
@@ -244,4 +251,6 @@ def _attraction(orbit: Orbit) -> str:
         turns = rate * (leg.end - leg.start) / (2 * arb.pi())
         if before.side == 0 and leg.side != 0 and turns.ceil().unique_fmpz() is not None:
             return f"{_EVERY}: a slip after a stick phase does not last a whole number of periods of body 1"
-    return "nearby motions tend to it if all multipliers are below 1"
+    if all(abs(one) < 1 for one in multipliers):
+        return f"{_EVERY}: all multipliers are below 1, and no two motions part"
+    return "whether others tend to it is not proved: not all multipliers are below 1"

@@ -12,7 +12,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from strategies import decimals, fewer, sine_scenes
 
-from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, Weakening, response
+from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, Weakening, response, solve
 from numerics.arithmetic.ball import Ball
 from numerics.control.response import Regime, Response, steady_drive
 
@@ -106,13 +106,16 @@ def test_regime_and_attraction_on_both_sides_of_a_threshold(pair, amplitude, ome
         assert abs(found.growth - (arb(amplitude) - 2 / arb.pi()) / 2) < 1e-10
 
 
-def test_a_drift_of_exactly_zero_is_said_only_where_no_other_motion_can_be():
-    """Without a damper and without a stop nothing proves that the motion is the only one, odd as the force is."""
+def test_a_motion_that_attracts_is_the_only_one_and_drifts_only_under_a_force_that_is_not_odd():
+    """Without a damper and without a stop its multipliers, all below 1, prove it; another start gets there."""
     damped, free = (answer(pair, "2") for pair in (DAMPED, FREE))
     assert damped.regime is free.regime is Regime.NON_STOP
     assert damped.drift.is_zero()
-    assert free.drift.contains(0)
-    assert not free.drift.is_zero()
+    assert free.drift.is_zero()
+    assert "all multipliers are below 1" in free.attraction
+    scene = Scene(FREE, State(x1="0.02", v2="-0.1"), 60, force=Force.sine(2, free.drive.frequency))
+    ends = [solve(scene.replace(v2=v2)).final for v2 in ("-0.1", "0.3")]
+    assert np.allclose(*([one.x1, one.v1, one.v2] for one in ends), atol=1e-6)
     skewed = Scene(DAMPED, State(), 1, force=Force.sine("0.6", 12) + Force.sine("0.6", 24))
     assert not response(skewed, digits=8).drift.contains(0)
 

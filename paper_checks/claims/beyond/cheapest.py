@@ -212,7 +212,7 @@ def for_all() -> Evidence:
         multiplier=equal(r"\mu", a1 * weight - MASS * rate, cheapest.end_multiplier),
     ),
     open=(
-        "Whether slipping can be cheaper where the cheapest stuck transfer keeps friction below its limit, and by how much at most; the least peak where friction is at its limit.",
+        "Whether slipping can be cheaper where the cheapest stuck transfer keeps friction below its limit, and by how much at most.",
     ),
     assuming=UNDER_A_FORCE,
 )

@@ -103,5 +103,5 @@ def mass_ratio() -> Case:
         and negative after that one for $r>r^*$.
         """,
         threshold,
-        figure="merging-window",
+        figure="merging-interval",
     )

@@ -156,7 +156,6 @@ def decays() -> Evidence:
         exceptions are faster: a motion that ends exactly on the faster of two real rates, or at rest at a contact.
         """,
     ),
-    open=("Which damper has the least $T$, or the least $R$, is found by trial, and not proved.",),
     assuming=f"{POSITIVE} No force, $u=0$; a damper $a_1\\geqslant 0$.",
 )
 def synchronisation_against_damping() -> Case:

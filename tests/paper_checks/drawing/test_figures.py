@@ -32,7 +32,7 @@ def test_axes_have_labels_with_units_and_a_legend(name):
     assert caption(name)[1]
 
 
-QUICK = ("force-needed", "merging-window")
+QUICK = ("force-needed", "merging-interval")
 """Drawn twice by the default run, as they take little; the `long` tests draw all of them twice."""
 
 
