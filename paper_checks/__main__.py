@@ -114,7 +114,7 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--json", action="store_true", help="print a JSON list")
     run.add_argument("--times", action="store_true", help="show how long each claim took")
     run.set_defaults(command=_run)
-    claims = commands.add_parser("list", help="list the claims with recorded verdict and evidence level")
+    claims = commands.add_parser("list", help="list the claims with the recorded verdict")
     claims.add_argument("--json", action="store_true", help="print a JSON list")
     claims.set_defaults(command=_list)
     report = commands.add_parser("report", help="write the report", epilog=EPILOGUE)

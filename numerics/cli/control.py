@@ -223,8 +223,10 @@ def print_damping(options: argparse.Namespace) -> int:
     draw(options, "draw_damping", found)
     best = "" if found.best is None else decimal_text(found.best)
     record: dict[str, Any] = {}
+    at_rest = found.own.rest == 0 == found.heavy.rest
     lines = [
-        f"best of {len(found.sampled)} dampers tried: " + (f"a1 = {best} N s/m" if best else "the heavier, the better")
+        f"best of {len(found.sampled)} dampers tried: "
+        + (f"a1 = {best} N s/m" if best else "all, at rest from the start" if at_rest else "the heavier, the better")
     ]
     for name, times, a1 in (
         ("best", found.at_best, best),

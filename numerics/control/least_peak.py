@@ -99,7 +99,7 @@ def least_peak(pair: Pair, far: Fraction, until: Fraction) -> tuple[list[Piece],
         if end <= 0:
             raise
         raise NotSettled(
-            f"{error}; with any time the end needs a peak of {short(end)} N, a2 D - M b/m2, and from some time on "
-            "more brings nothing"
+            f"{error}; with any time the end needs a peak of {short(end)} N, a2 D less what friction may brake with, "
+            "(1 - margin) M b/m2, and from some time on more brings nothing"
         ) from error
     return search.pieces(found), peak, search.mass * least, bool(limited)

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -144,7 +145,7 @@ def draw_transfer(found: Transfer | CheapestTransfer, solved: Trajectory) -> Fig
         draw(solved, kind, ax, curve)
     rows[2].set_ylabel("force (N)")
     explain_below(figure)
-    figure.suptitle(found.road.value, fontsize=10)  # the longest one fits
+    figure.suptitle(fill(found.road.value, 90), fontsize=10)
     return figure
 
 

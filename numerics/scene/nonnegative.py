@@ -48,6 +48,6 @@ def _prove_in_balls(piece: Piece, length: Fraction) -> None:
     if short_of <= most:
         return
     raise InvalidScene(
-        f"friction from t = {short(piece.start)} s: b(t) >= 0 is not proved at t = {float(at):.6g} s, where b = "
-        f"{float(most - short_of):.3g} N; raise its constant, or begin a piece where it touches 0"
+        f"friction from t = {short(piece.start)} s: b(t) >= 0 is not proved at t = {float(at):.6g} s, where only b >= "
+        f"{float(most - short_of):.3g} N is known; raise its constant, or begin a piece where it touches 0"
     )

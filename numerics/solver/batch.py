@@ -156,6 +156,10 @@ class Batch(Tabled):
         found: Array = self.y[STATE.index(answer)] if answer in STATE else getattr(self, answer)
         return found
 
+    def __getitem__(self, answer: str) -> Array:
+        """Return the same: found["x1"]. Raises ValueError."""
+        return self.values(answer)
+
     @property
     def inputs(self) -> dict[str, Floats]:  # type: ignore[override]  # formed when it is asked for
         """Return m1, m2, a2, b, x1, v1, x2, v2, until, a1 and all else that varies, SI units, each in the shape.

@@ -124,5 +124,5 @@ def test_where_heavier_dampers_are_better_without_end_none_is_best_and_it_is_sai
     found = damping(FIGURE.replace(a1=5), "0.001", digits=6)
     assert (found.best, found.at_best, float(found.heavy.rest)) == (None, None, 0)
     assert draw_damping(found).axes
-    said = output("damping", "at-rest", "--tolerance", 1)
-    assert "the heavier, the better" in said
+    assert "the heavier, the better" in output("damping", "velocities", "--tolerance", "0.001")
+    assert "all, at rest from the start" in output("damping", "at-rest", "--tolerance", 1)

@@ -64,7 +64,7 @@ def proved(piece, until=5):
     try:
         Scene(PAIR, State(), until, friction=Friction([piece]))
     except InvalidScene as error:
-        place, value = str(error).split("at t = ")[1].split(" s, where b = ")
+        place, value = str(error).split("at t = ")[1].split(" s, where only b >= ")
         assert piece.start <= float(place) <= until
         assert float(value.split(" N")[0]) < 1.5
         return False
