@@ -176,6 +176,7 @@ def _choice(
         known += "; with less, body 2 can arrive at the bound, but whether both bodies can then be at rest is open"
     else:
         known += f", and no force arrives at the bound with less than {least.str(6, radius=False)} N"
+    known += '; of a given time, cheapest_transfer with least="peak" finds the force of the least peak'
     return TransferKind.OPEN, None, f"{TransferKind.OPEN.value}; {known}", None
 
 
