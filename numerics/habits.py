@@ -39,6 +39,7 @@ _SENTENCES = """
 rtol atol tol eps tolerance: no tolerance is needed; digits=N requests N right digits
 method solver integrator: no step method is chosen; arithmetic="ball" or "float64" chooses the numbers
 events event event_fn: every change of mode is found, in run.events
+nfev njev nlu: there are no steps to count; len(run.events) counts events
 dense_output: run.sol(t) always gives the state at any time
 max_step min_step first_step dt step h: there is no step size; t_eval gives the times of run.y
 t_end t_span tspan tmax t_max tf T duration horizon until: the horizon is until=... (s) of the Scene
@@ -160,5 +161,6 @@ def right_word(word: str, known: list[str], otherwise: str = "") -> str:
             return f"write {' or '.join(meant)}{bracket}{unit}"
         if one in _ANSWERS:
             return _ANSWERS[one]
-    near = difflib.get_close_matches(word, known, n=2, cutoff=0.5 if len(word) > 1 else 1)  # to one letter none is near
+    close = {1: 1.0, 2: 0.5, 3: 0.5}.get(len(word), 0.6)  # to one letter none is near
+    near = difflib.get_close_matches(word, known, n=2, cutoff=close)
     return f"did you mean {' or '.join(near)}?" if near else otherwise or f"it takes {', '.join(known[:30])}"

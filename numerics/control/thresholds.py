@@ -31,7 +31,7 @@ from numerics.control.answers import number
 from numerics.errors import InvalidScene
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, positive, require_digits
-from numerics.scene.model import require_kind
+from numerics.scene.model import PLAIN, require_kind
 from numerics.scene.plane import PlanePair
 from numerics.scene.short_repr import ShortRepr
 
@@ -74,7 +74,7 @@ def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_di
     if not isinstance(pair, PlanePair):
         require_kind("thresholds", pair, Pair, "build Pair(m1=..., m2=..., a2=..., b=...)")
         if extra := pair.extra:
-            raise InvalidScene(f"thresholds are not available for {extra}; leave that out")
+            raise InvalidScene(f"thresholds are not available for {extra}; {PLAIN}")
     require_digits(digits, max_digits=max_digits)
     rate = positive(omega, "omega", "give a frequency in rad/s")
     if isinstance(pair, PlanePair):

@@ -214,11 +214,11 @@ class Scene(ShortRepr):
     ) -> None:
         """Check the parts and read the horizon and the law."""
         parts = ((pair, Pair, "Pair(m1=..., m2=..., a2=..., b=...)"), (initial, State, "State(x1=..., v1=...)"))
-        signals = ((one, Signal, f"a Force: {MAKERS}") for one in (force, force_2, belt, wall))
+        signals = ((one, Signal, f"Force() for none, else: {MAKERS}") for one in (force, force_2, belt, wall))
         for part, kind, remedy in (*parts, *signals, (friction, Friction, "Friction([(start, b)])")):
             if not isinstance(part, kind):
                 given = "a function" if callable(part) else f"{str(part)[:40]!r}, {type(part).__name__}"
-                raise InvalidScene(f"a scene needs a {kind.__name__}, not {given}; build one, such as {remedy}")
+                raise InvalidScene(f"a scene needs a {kind.__name__}, not {given}; give {remedy}")
         put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, _hash=0)
         put(self, until=positive(until, "until", HORIZON), force_2=force_2, belt=belt, wall=wall)
         require_nonnegative(friction, self.until)
@@ -324,11 +324,15 @@ class Scene(ShortRepr):
         return self.energy / self.pair.critical_energy - 1
 
 
+PLAIN = "give a2 > 0, b > 0 by steps, a finite m2, no b_static, and a force on body 1 alone"
+"""What a plain scene has."""
+
+
 def require_plain(asking: str, scene: Scene, what: str) -> None:
     """Raise InvalidScene, where only plain scenes are supported, for another one; TypeError for no scene."""
     require_kind(asking, scene, Scene, BUILD)
     if scene.extra:
-        raise InvalidScene(f"{what} is not available for {scene.extra}; leave that out, or use solve")
+        raise InvalidScene(f"{what} is not available for {scene.extra}; {PLAIN}, or use solve")
 
 
 WRT = ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1")

@@ -135,9 +135,9 @@ class Batch(Tabled):
         ended = f": {ends}; {int(np.sum(self.events))} events" if len(self) else ""
         failed = np.argwhere(~self.success)
         failed = failed if len(failed) else np.argwhere(self.digits <= FEW_DIGITS)
-        which = ", ".join(map(str, failed[:5].tolist()))
-        more = f"; scene {which}{', ...' * (len(failed) > 5)}: {self.message[*failed[0]]}" if len(failed) else ""
-        return f"Batch of {len(self)} scenes, shape {self.shape}{ended}{more}"
+        which = ", ".join(map(str, failed[:5].tolist())) + ", ..." * (len(failed) > 5)
+        first = f"; {f'scene {which}: ' * bool(self.shape)}{self.message[*failed[0]]}" if len(failed) else ""
+        return f"Batch of {len(self)} scenes, shape {self.shape}{ended}{first}"
 
     @property
     def success(self) -> Array:

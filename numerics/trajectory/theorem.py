@@ -20,6 +20,7 @@ from numerics.linear.modes import Mode
 from numerics.linear.pieces import polynomial_at
 from numerics.scene import Law, Scene
 from numerics.scene.decimals import decimal_text
+from numerics.scene.model import PLAIN
 from numerics.trajectory.closed_forms import (
     INTERVALS,
     SPARE_SIGN_BITS,
@@ -87,7 +88,7 @@ def _uncovered(trajectory: Trajectory) -> str:
     if scene.law is not Law.FILIPPOV:
         return f'the checker knows no law = "{scene.law.value}"; leave the law out, for "filippov"'
     if scene.extra:
-        return f"the checker does not cover {scene.extra}; leave that out"
+        return f"the checker does not cover {scene.extra}; {PLAIN}"
     if not trajectory.success:
         return f"the run {trajectory.message}"
     if scene.energy_excess == 0 and at.v1 == at.v2 and scene.pair.a1 == 0 and not scene.is_forced:
