@@ -198,12 +198,11 @@ def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
     lines = _content(str(folder / file), "file of samples", "give its path from the scene file").rstrip().splitlines()
     names = "".join(lines[:1]).strip(' "#').lower()
     first = int(names[:1].isalpha() and not names.startswith(("nan", "inf")))
-    kept = [(number, line) for number, line in enumerate(lines, 1) if number > first and line.strip()]
-    rows = [line.replace('"', "").split(",") for _, line in kept]
+    rows = [line.replace('"', "").split(",") for line in lines[first:]]
     if not rows:
         raise InvalidScene(f"{shown(file)} holds no samples; give a line t, u for each")
-    for (number, line), row in zip(kept, rows, strict=True):
-        place = f"row {number} of {shown(file)}, {shown(line)},"
+    for number, row in enumerate(rows, first + 1):
+        line, place = lines[number - 1], f"row {number} of {shown(file)}, {shown(lines[number - 1])},"
         separators = [name for sign, name in _SEPARATORS.items() if sign in line and (sign != " " or "," not in line)]
         if len(row) != 2 or ";" in line:
             found = f", but separated by {separators[0]}" if separators else ""
