@@ -12,15 +12,15 @@ from fractions import Fraction
 import flint
 from flint import arb
 
-from numerics.control.answers import number
+from numerics.arithmetic.ball import working_digits
 from numerics.control.optimal import Arc, Motion, Row, Search
 from numerics.control.thresholds import pushed
 from numerics.errors import NotSettled
 from numerics.scene import Pair, Piece
 from numerics.scene.decimals import short
 
-_ROUNDED = Fraction(1, 10**36)
-"""By this part u may be above its peak at the limit of friction, as its decimals are rounded."""
+_ROUNDED = 8
+"""At the limit of friction u may be above its peak in the last of its decimals, so many."""
 
 
 class LeastPeak(Search):
@@ -82,13 +82,13 @@ class LeastPeak(Search):
 def least_peak(pair: Pair, far: Fraction, until: Fraction) -> tuple[list[Piece], arb, arb, bool]:
     """Return the force by pieces, its peak, the least one of all that stick, N, and whether friction is at its limit.
 
-    In pieces at that limit the peak is exceeded by a part of 10^-36 at most. Raises NotSettled.
+    In pieces at that limit the peak is exceeded in the last working digits at most. Raises NotSettled.
     """
     search = LeastPeak(pair, far, until)
     try:
         found = search.force()
         peak = search.mass * search.cost(found)
-        high = peak * number(1 + _ROUNDED)
+        high = peak * (1 + arb(10) ** (_ROUNDED - working_digits()))
         limited = [(length, search.mass * part.u) for _, length, part in search.lengths(found) if part.arc.side]
         for length, u in limited:  # it is below its peak, but for the rounding of its decimals
             search.require_never_negative(high - u, length)

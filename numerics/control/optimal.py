@@ -25,7 +25,7 @@ from typing import NamedTuple
 
 from flint import arb, arb_mat, arb_poly
 
-from numerics.arithmetic.ball import exact_middle
+from numerics.arithmetic.ball import exact_middle, working_digits
 from numerics.control.answers import number, rounded
 from numerics.control.tracking import is_never_negative
 from numerics.errors import NotSettled
@@ -252,13 +252,17 @@ class Search(ABC):
 
     def lengths(self, found: Motion) -> Iterator[tuple[Fraction, Fraction, Part]]:
         """Yield when each part begins and how long it lasts, s, and the part."""
-        starts = [rounded(one.start) for one in found.parts]
+        starts = [rounded(one.start, working_digits()) for one in found.parts]
         for start, end, part in zip(starts, [*starts[1:], self.until], found.parts, strict=True):
             yield start, end - start, part
 
     def pieces(self, found: Motion) -> list[Piece]:
-        """Return the force, N, in decimals."""
-        return [Piece(rounded(one.start), [rounded(self.mass * x) for x in one.u.coeffs()]) for one in found.parts]
+        """Return the force, N, in decimals of all working digits: the cost is that of these."""
+        digits = working_digits()
+        return [
+            Piece(rounded(one.start, digits), [rounded(self.mass * x, digits) for x in one.u.coeffs()])
+            for one in found.parts
+        ]
 
     def total(self, p: arb_poly, sign: int, length: Fraction) -> tuple[arb, arb]:
         """Return bounds of int |p| over a time (s), and of |p|; `sign`: that of p, but for a little; 0: p is near 0.

@@ -230,13 +230,13 @@ def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> Response:
     drive = orbit.drive
     regime = Regime.STICK_SLIP if any(leg.side == 0 for leg in orbit.legs) else Regime.NON_STOP
     multipliers = tuple(orbit.multipliers())
-    attraction = _attraction(orbit, multipliers)
+    attraction = attraction_of(orbit, multipliers)
     # the only periodic motion of an odd force is odd itself, but for the constant part of x1
     drift = arb(0) if drive.is_odd and attraction.startswith(_EVERY) else orbit.travel / drive.period
     return Response(drive, regime, known, orbit, multipliers, drift, arb(0), attraction, digits)
 
 
-def _attraction(orbit: Orbit, multipliers: Sequence[acb]) -> str:
+def attraction_of(orbit: Orbit, multipliers: Sequence[acb]) -> str:
     """Return what is proved of other motions, "every motion ..." if it is the only periodic one.
 
     Where all multipliers are below 1 a motion at a distance eps comes nearer by a factor theta < 1 in some periods. No

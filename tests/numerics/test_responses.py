@@ -7,14 +7,14 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from control_scenes import DAMPED, FREE, answer, referred, under
-from flint import arb
+from flint import acb, arb
 from hypothesis import example, given
 from hypothesis import strategies as st
 from strategies import decimals, fewer, sine_scenes
 
 from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, Weakening, response, solve
 from numerics.arithmetic.ball import Ball
-from numerics.control.response import Regime, Response, steady_drive
+from numerics.control.response import Regime, Response, attraction_of, steady_drive
 
 
 def comes_back(found: Response, digits: int) -> None:
@@ -113,6 +113,8 @@ def test_a_motion_that_attracts_is_the_only_one_and_drifts_only_under_a_force_th
     assert damped.drift.is_zero()
     assert free.drift.is_zero()
     assert "all multipliers are below 1" in free.attraction
+    for one in (acb(0, 1), acb(arb("0.99", "0.02"))):  # on the unit circle, and not known to be inside
+        assert "not proved" in attraction_of(free.orbit, (one, acb(0)))
     scene = Scene(FREE, State(x1="0.02", v2="-0.1"), 60, force=Force.sine(2, free.drive.frequency))
     ends = [solve(scene.replace(v2=v2)).final for v2 in ("-0.1", "0.3")]
     assert np.allclose(*([one.x1, one.v1, one.v2] for one in ends), atol=1e-6)
