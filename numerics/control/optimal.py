@@ -12,13 +12,12 @@ sign of u, and is 0 where |u| is below its peak. With q = rho - w and r = q' + c
     x' = v,  v' = a,  q' = r - c w,  r' = k w
 
 in which w = -q and u follows from w where |a| < beta; elsewhere a = +-beta, and u follows. The numbers q(0), r(0) that
-bring it to (D, 0) are searched for by Newton's method while the limit comes down to beta. Nothing rests on the search:
-the bound is computed from the force that it finds, in balls.
+bring it to (D, 0) are searched for by Newton's method while the limit comes down to beta; for the peak from those of
+the least energy. Nothing rests on the search: the bound is computed from the force that it finds, in balls.
 """
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
@@ -33,8 +32,10 @@ from numerics.scene import Pair, Piece
 from numerics.scene.decimals import short
 
 _NEWTON, _MOST_PARTS, _TERMS, _CHECKS, _HALVINGS, _LEAST_STEP = 12, 400, 39, 8, 16, 0.9999
-_WORSE = 4
-"""Newton's method is given up where it is so many times farther from arriving than it was."""
+_WORSE, _ROUNDED = 4, 8
+"""Newton's method is given up where it is so many times farther from arriving than it was. At the limit of friction u
+may be above its peak in the last of its decimals, so many."""
+_NO_LIMIT = arb(10) ** 300
 LITTLE = Fraction(1, 10**20)
 """By this part the force stays below the limit of friction, so that the bodies stick beyond doubt."""
 Row = Sequence[arb | int]
@@ -67,54 +68,48 @@ class Motion(NamedTuple):
     largest: arb
 
 
-class Search(ABC):
+class LeastEnergy:
     """The search for a force on a pair over a distance (m) in a time (s), |a| <= most (m/s^2); `bound` proves it.
 
-    z = (x, v, q, r, P, limit), z' = free z + by_u u/M + by_w w. P = hypot(q(0), r(0)/sqrt(k)).
+    It has the least int u^2 dt. z = (x, v, q, r, P, limit), z' = free z + by_u u/M + by_w w. P = hypot(q(0),
+    r(0)/sqrt(k)).
     """
-
-    least: str
-    """What the force has least of."""
 
     def __init__(self, pair: Pair, far: Fraction, until: Fraction) -> None:
         """Take the numbers in the arithmetic of the context."""
-        self.pair, self.mass, self.until, self.most = pair, number(pair.mass), until, pair.b / pair.m2
+        self.pair, self.distance, self.until, self.most = pair, far, until, pair.b / pair.m2
+        self.mass, self.limit = number(pair.mass), number(self.most * (1 - LITTLE))
         self.far, self.T, self.c, self.k = map(number, (far, until, pair.a1 / pair.mass, pair.a2 / pair.mass))
         nothing = [[0] * 6] * 3
         self.free = arb_mat([[0, 1, 0, 0, 0, 0], [-self.k, -self.c, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0], *nothing])
         self.by_u = arb_mat([[0], [1], [0], [0], [0], [0]])
         self.by_w = arb_mat([[0], [0], [-self.c], [self.k], [0], [0]])
-        cause, remedy = "", ""
-        if pair.a1:
-            cause, remedy = f", or the damper a1 = {short(pair.a1)} N s/m too strong", " or a weaker damper"
+        damped = f", or the damper a1 = {short(pair.a1)} N s/m too strong" if pair.a1 else ""
         self.not_found = NotSettled(
-            f"no force of least {self.least} was found: the time is next to the least one, or too long to search"
-            f"{cause}; give another time{remedy}"
+            f"no cheapest force was found: the time is next to the least one, or too long to search{damped}"
         )
 
-    @abstractmethod
     def start(self) -> tuple[arb, arb]:
-        """Return q(0), r(0) of the motion that arrives where there is no limit, about."""
+        """Return q(0), r(0) near those of the motion that arrives where there is no limit: all is linear then."""
+        return arb(0), arb(0)
 
-    @abstractmethod
-    def sign(self, q: arb) -> int:
+    def sign(self, q: arb) -> int:  # noqa: ARG002  # it depends on more than the sign
         """Return the sign of w = -q, where u depends on it alone; else 0."""
+        return 0
 
-    @abstractmethod
     def rows(self, arc: Arc) -> tuple[Row, Row]:
-        """Return u/M and w along an arc, as rows of z."""
+        """Return u/M and w along an arc, as rows of z: both -q, at the limit side limit + c v + k x."""
+        u = [self.k, self.c, 0, 0, 0, arc.side] if arc.side else [0, 0, -1, 0, 0, 0]
+        return u, u
 
-    @abstractmethod
     def cost(self, found: Motion) -> arb:
-        """Return what a force has least of, with u/M for u."""
+        """Return what a force has least of, N^2 s or N."""
+        squares = ((part.w * part.w).integral()(number(length)) for _, length, part in self.lengths(found))
+        return self.mass**2 * sum(squares, arb(0))
 
-    @abstractmethod
-    def most_velocity(self, cost: arb) -> arb:
-        """Return what |v| cannot be above, m/s, at a cost: the damper and the spring add no energy."""
-
-    @abstractmethod
     def from_below(self, gain: arb, found: Motion) -> arb:
         """Return what no cost is below, from a lower bound of mu D + int rho a."""
+        return self.mass**2 * 2 * gain - self.cost(found)
 
     def unlimited(self, sign: int) -> arb_mat:
         """Return a without a limit, as a row of z."""
@@ -177,24 +172,8 @@ class Search(ABC):
             t = (t - f(t) / slope(t)).mid().max(low).min(high)
         return t, then
 
-    def moved(self, found: Motion, limit: arb, x: arb, v: arb) -> tuple[arb, arb]:
-        """Return the q(0), r(0) that add so much to x and v at T, to first order. Raises NotSettled."""
-        q, r = found.q, found.r
-        by = (self.size(q, r).max(self.far / self.T**2) * number(LITTLE)).mid()
-        steps = by, (by * self.k.sqrt()).mid()
-        beside = [self.follow(q + steps[0], r, limit).end, self.follow(q, r + steps[1], limit).end]
-        slopes = [
-            [(one[0] - found.end[0]) / step, (one[1] - found.end[1]) / step]
-            for one, step in zip(beside, steps, strict=True)
-        ]
-        try:
-            more = arb_mat(slopes).transpose().solve(arb_mat([[x], [v]]))
-        except ZeroDivisionError:
-            raise self.not_found from None
-        return (q + more[0, 0]).mid(), (r + more[1, 0]).mid()
-
     def arrive(self, q: arb, r: arb, limit: arb) -> Motion:
-        """Return the motion that arrives, from q(0), r(0) near its own. Raises NotSettled."""
+        """Return the motion that arrives, by Newton's method from q(0), r(0) near its own. Raises NotSettled."""
         least = arb.pos_inf()
         for _ in range(_NEWTON):
             found = self.follow(q, r, limit)
@@ -204,51 +183,45 @@ class Search(ABC):
                 return found
             if not off < _WORSE * least:
                 break
-            least = least.min(off)
-            q, r = self.moved(found, limit, self.far - x, -v)
+            least, by = least.min(off), (self.size(q, r).max(self.far / self.T**2) * number(LITTLE)).mid()
+            steps = by, (by * self.k.sqrt()).mid()
+            beside = self.follow(q + steps[0], r, limit), self.follow(q, r + steps[1], limit)
+            slopes = [[(one.end[k] - found.end[k]) / h for one, h in zip(beside, steps, strict=True)] for k in (0, 1)]
+            try:
+                more = arb_mat(slopes).solve(arb_mat([[self.far - x], [-v]]))
+            except ZeroDivisionError:
+                break
+            q, r = (q + more[0, 0]).mid(), (r + more[1, 0]).mid()
         raise self.not_found
 
     def force(self) -> Motion:
-        """Return the motion that arrives within the limit. Raises NotSettled."""
-        before = found = self.arrive(*self.start(), arb(10) ** 300)
-        above = limit = found.largest
-        share = arb("0.7")
+        """Return the motion that arrives within the limit: this comes down, in shorter steps where one fails."""
+        found = self.arrive(*self.start(), _NO_LIMIT)
+        limit, share = found.largest, arb("0.7")
         while limit > self.limit:
             lower = (limit * share).mid().max(self.limit)
-            on = (limit - lower) / (above - limit) if above > limit else arb(0)  # on the line through the last two
-            q, r = ((one + on * (one - other)).mid() for one, other in ((found.q, before.q), (found.r, before.r)))
             try:
-                before, found = found, self.arrive(q, r, lower)
-                above, limit, share = limit, lower, share * share
+                found = self.arrive(found.q, found.r, lower)
+                limit, share = lower, share * share
             except NotSettled:
                 share = share.sqrt()
                 if share > _LEAST_STEP:
                     raise
         return found
 
-    @property
-    def limit(self) -> arb:
-        """Return what |a| is at most in the motion that is found, m/s^2."""
-        return number(self.most * (1 - LITTLE))
-
     def bound(self, found: Motion) -> tuple[arb, arb]:
-        """Return the cost of a force, with u/M for u, and the least that any under which the bodies stick can have.
+        """Return the cost of a force, and the least that any under which the bodies stick can have.
 
-        The bound holds whatever the force is. Friction matters little where D is tiny; but at a lower cost |v| <= V,
-        and so int |a| <= V (1 + c T + k T^2), as V >= int |u/M|.
+        The bound holds whatever the force is.
         """
         *_, nu, mu = found.end
-        lost = largest = once = twice = arb(0)  # S and int_t^T S at the end of a part
+        lost = once = twice = arb(0)  # S and int_t^T S at the end of a part
         for start, length, part in reversed([*self.lengths(found)]):
             S = _from_end(part.w, number(length), once)
             R = _from_end(S, number(length), twice)
             rho = part.w + self.c * S + self.k * R + nu - mu * arb_poly([number(self.until - start), -1])
-            size, high = self.total(rho, -part.arc.side, length)
-            lost, largest, once, twice = lost + size, largest.max(high), S(0), R(0)
-        cost, gain = self.cost(found), mu * self.far
-        moved = self.most_velocity(cost) * (1 + self.c * self.T + self.k * self.T**2)
-        least = self.from_below(gain - number(self.most) * lost, found)
-        return cost, least.max(cost.min(self.from_below(gain - largest * moved, found)))
+            lost, once, twice = lost + self.total(rho, -part.arc.side, length), S(0), R(0)
+        return self.cost(found), self.from_below(mu * self.far - number(self.most) * lost, found)
 
     def lengths(self, found: Motion) -> Iterator[tuple[Fraction, Fraction, Part]]:
         """Yield when each part begins and how long it lasts, s, and the part."""
@@ -264,23 +237,57 @@ class Search(ABC):
             for one in found.parts
         ]
 
-    def total(self, p: arb_poly, sign: int, length: Fraction) -> tuple[arb, arb]:
-        """Return bounds of int |p| over a time (s), and of |p|; `sign`: that of p, but for a little; 0: p is near 0.
+    def total(self, p: arb_poly, sign: int, length: Fraction) -> arb:
+        """Return a bound of int |p| over a time (s); `sign`: that of p, but for a little; 0: p is near 0.
 
         Raises NotSettled where p has another sign.
         """
         time = number(length)
         high = sum((abs(one) * time**k for k, one in enumerate(p.coeffs())), arb(0)).upper()
         if not sign:
-            return high * time, high
+            return high * time
         little = high * number(LITTLE)
         self.require_never_negative(little + sign * p, length)
-        return 2 * little * time + sign * p.integral()(time), high
+        return 2 * little * time + sign * p.integral()(time)
 
     def require_never_negative(self, p: arb_poly, length: Fraction) -> None:
         """Raise NotSettled if a polynomial is negative somewhere on [0, length]."""
         if not is_never_negative([exact_middle(one.lower()) for one in p.coeffs()], length):
             raise self.not_found
+
+
+class LeastPeak(LeastEnergy):
+    """The same for the least max |u|: without a limit it is P everywhere, and changes its sign with w."""
+
+    def start(self) -> tuple[arb, arb]:
+        """Return those of the least energy."""
+        search = LeastEnergy(self.pair, self.distance, self.until)
+        found = search.arrive(*search.start(), _NO_LIMIT)
+        return found.q, found.r
+
+    def sign(self, q: arb) -> int:
+        """Return that of -q."""
+        return -1 if q > 0 else 1
+
+    def rows(self, arc: Arc) -> tuple[Row, Row]:
+        """Return u/M = sign P and w = -q, at the limit u/M = side limit + c v + k x and w = 0."""
+        if arc.side:
+            return [self.k, self.c, 0, 0, 0, arc.side], [0] * 6
+        return [0, 0, 0, 0, arc.sign, 0], [0, 0, -1, 0, 0, 0]
+
+    def cost(self, found: Motion) -> arb:
+        """Return M P. Raises NotSettled where u is above it at the limit, but for the rounding of its decimals."""
+        peak = self.size(found.q, found.r)
+        high = peak * (1 + arb(10) ** (_ROUNDED - working_digits()))
+        for _, length, part in self.lengths(found):
+            for u in (part.u, -part.u) if part.arc.side else ():
+                self.require_never_negative(high - u, length)
+        return self.mass * peak
+
+    def from_below(self, gain: arb, found: Motion) -> arb:
+        """Return gain/int |w|."""
+        parts = [(part.w, 0 if part.arc.side else part.arc.sign, length) for _, length, part in self.lengths(found)]
+        return self.mass * gain / sum((self.total(*one) for one in parts), arb(0))
 
 
 def _dot(row: Row, columns: list[arb_poly]) -> arb_poly:
@@ -290,35 +297,3 @@ def _dot(row: Row, columns: list[arb_poly]) -> arb_poly:
 def _from_end(f: arb_poly, length: arb, after: arb) -> arb_poly:
     """Return the integral of f from t to the end of its part, and what comes after."""
     return after + f.integral()(length) - f.integral()
-
-
-class LeastEnergy(Search):
-    """int (u/M)^2 dt."""
-
-    least = "energy"
-
-    def start(self) -> tuple[arb, arb]:
-        """Return zeros: all is linear without a limit."""
-        return arb(0), arb(0)
-
-    def sign(self, q: arb) -> int:  # noqa: ARG002  # it depends on more than the sign
-        """Return 0."""
-        return 0
-
-    def rows(self, arc: Arc) -> tuple[Row, Row]:
-        """Return u/M = w = -q, at the limit side limit + c v + k x."""
-        u = [self.k, self.c, 0, 0, 0, arc.side] if arc.side else [0, 0, -1, 0, 0, 0]
-        return u, u
-
-    def cost(self, found: Motion) -> arb:
-        """Return int (u/M)^2 dt."""
-        squares = ((part.w * part.w).integral()(number(length)) for _, length, part in self.lengths(found))
-        return sum(squares, arb(0))
-
-    def most_velocity(self, cost: arb) -> arb:
-        """Return sqrt(T cost)."""
-        return (self.T * cost).sqrt()
-
-    def from_below(self, gain: arb, found: Motion) -> arb:
-        """Return 2 gain - int w^2."""
-        return 2 * gain - self.cost(found)

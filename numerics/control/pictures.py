@@ -15,7 +15,6 @@ from matplotlib.patches import Ellipse
 from matplotlib.ticker import LogLocator
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.cheapest import CheapestTransfer
 from numerics.control.thresholds import edges
 from numerics.control.tracking import Tracking, acceleration
 from numerics.control.transfer import Transfer
@@ -130,7 +129,7 @@ def draw_tracking(found: Tracking, pair: Pair) -> Figure:
     return figure
 
 
-def draw_transfer(found: Transfer | CheapestTransfer, solved: Trajectory) -> Figure:
+def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
     """Return both positions, both velocities, and the force beside the friction that it asks for, of a solved scene."""
     curve = sampled(solved)
     apart = abs(curve.y[1] - curve.y[3])

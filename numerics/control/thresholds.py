@@ -19,11 +19,10 @@ omega > omega1.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from flint import acb, arb
+from flint import acb, arb, arb_mat
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
@@ -153,61 +152,47 @@ def edges(pair: Pair, omega: Fraction) -> tuple[arb, arb, arb]:
     if not high.is_finite():
         return low, high, high
     least, motion = arb(0), NonStop(pair, omega)
-    for k in range(_TIMES):
-        t = motion.half * (2 * k + 1) / (2 * _TIMES)
-        least = least.max(-motion.relative(t) / (motion.omega * t).sin())
+    t = motion.half / (2 * _TIMES)
+    fading, step = flow(pair, t) * motion.fading, flow(pair, 2 * t)
+    for _ in range(_TIMES):
+        angle = motion.omega * t
+        w = fading[1, 0] - motion.beta * (t - motion.half / 2) - motion.V * angle.cos()
+        least, fading, t = least.max(-w / angle.sin()), step * fading, t + motion.half / _TIMES
     return low, high, high.max(motion.amplitude(least))
 
 
 class NonStop:
     """The motion that slips permanently and reverses twice a period, at a frequency (rad/s).
 
-    The names are those of the formulas above: `V` and `reach` = Z(m1)/omega, `least` = A/omega; SI units.
+    The names are those of the formulas above: `V` and `reach` = Z(m1)/omega, `least` = A/omega; `fading`: the (x1, v1)
+    whose own motion is in w; SI units.
     """
 
     def __init__(self, pair: Pair, omega: Fraction) -> None:
         """Enclose what w consists of, in the arithmetic's context."""
-        b, self.omega, self.beta = number(pair.b), number(omega), number(pair.b / pair.m2)
-        self.push, self.half = pushed(pair), arb.pi() / self.omega
-        place, speed = square_wave_response(pair, self.omega)
-        self.momentum, self.held = -number(pair.m1) * b * speed, b * (1 - number(pair.a2) * place)
+        m1, a1, a2, b = map(number, (pair.m1, pair.a1, pair.a2, pair.b))
+        self.omega, self.beta = number(omega), number(pair.b / pair.m2)
+        self.half = arb.pi() / self.omega
+        (C, S), (pull, slope) = (flow(pair, self.half) + arb_mat([[1, 0], [0, 1]])).tolist()
+        (x, v, _), below = pushed(pair, self.half), C * slope - S * pull
+        # after half a period, in which 1 N pushes, h and h' have the opposite sign
+        h, speed = (S * v - slope * x) / below, (pull * x - C * v) / below
+        held = b * (1 - a2 * h)
+        self.fading = arb_mat([[held / a2], [-b * speed]])
         self.V, self.reach = self.beta * self.half / 2 - b * speed, abs(impedance(pair, pair.m1, omega)) / self.omega
-        self.least = (self.beta + (self.held - number(pair.a1) * b * speed) / number(pair.m1)) / self.omega
+        self.least = (self.beta + (held - a1 * b * speed) / m1) / self.omega
 
     def amplitude(self, R: arb) -> arb:
         """Return the U to which an R belongs, N."""
         return self.reach * abs(acb(self.V, R))
 
-    def relative(self, t: arb) -> arb:
-        """Return w for R = 0 at a time since the reversal (s), m/s."""
-        _, g, slope = self.push(t)
-        fading = self.momentum * slope - self.held * g
-        return fading - self.beta * (t - self.half / 2) - self.V * (self.omega * t).cos()
+
+def flow(pair: Pair, t: arb) -> arb_mat:
+    """Return exp(A t) of body 1 alone: what a time (s) makes of (x1, v1)."""
+    return (arb_mat([[0, 1], [number(-pair.a2 / pair.m1), number(-pair.a1 / pair.m1)]]) * t).exp()
 
 
-def square_wave_response(pair: Pair, omega: arb) -> tuple[arb, arb]:
-    """Return h (m/N) and h' (m/(N s)): where a square wave of +-1 N has m1 x'' + a1 x' + a2 x when it turns to +1.
-
-    After half a period, in which 1 N pushes, both have the opposite sign.
-    """
-    m1, (x, g, slope) = number(pair.m1), pushed(pair)(arb.pi() / omega)
-    turned = 1 + m1 * slope
-    below = turned * (turned + number(pair.a1) * g) + number(pair.a2) * m1 * g * g
-    return (m1 * g * g - turned * x) / below, -2 * g / below
-
-
-def pushed(pair: Pair) -> Callable[[arb], tuple[arb, arb, arb]]:
-    """Return at a time (s): where body 1 alone is under 1 N from rest, its velocity g, and g'; in present digits."""
-    decay = pair.a1 / (2 * pair.m1)
-    squared, m1, a2 = pair.a2 / pair.m1 - decay**2, number(pair.m1), number(pair.a2)
-    rate, fading = number(abs(squared)).sqrt(), number(decay)
-
-    def at(t: arb) -> tuple[arb, arb, arb]:
-        angle, C, S = rate * t, arb(1), t  # critical damping
-        if squared:
-            S, C = angle.sin_cos() if squared > 0 else angle.sinh_cosh()
-            S /= rate
-        left, back = (-fading * t).exp(), fading * S
-        return (1 - left * (C + back)) / a2, left * S / m1, left * (C - back) / m1
-
-    return at
+def pushed(pair: Pair, t: arb) -> tuple[arb, arb, arb]:
+    """Return where body 1 alone is under 1 N from rest after a time (s), its velocity g, and g'."""
+    (C, S), (_, slope) = flow(pair, t).tolist()
+    return (1 - C) / number(pair.a2), S / number(pair.m1), slope / number(pair.m1)

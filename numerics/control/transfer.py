@@ -63,16 +63,21 @@ class Transfer(ShortRepr):
     """A transfer over `distance` (m): enclosures with `digits` right digits, and its force as a scene if there is one.
 
     `margin`: unused share of b while stuck, dimensionless; `road`: a TransferKind. `bound` (s): lower bound on the time
-    of every transfer; `time` (s): of this one. `stuck_amplitude` (N): required for sticking at (1 - margin) b.
-    `least_amplitude` (N): the minimum to arrive at the bound, None where g' changes sign. `fastest`: a sentence on
-    what is proved about `time`.
+    of every transfer; `time` (s): of this one. Of the fastest one `stuck_amplitude` (N): required for sticking at (1 -
+    margin) b. `least_amplitude` (N): the minimum to arrive at the bound, None where g' changes sign. `fastest`: a
+    sentence on what is proved about `time`. Of the cheapest one `cost`: int u^2 dt (N^2 s), or max |u| (N), up to that
+    time; `least_cost`: proved lower bound on it for all transfers that stick and keep the margin, which is less by a
+    part of some 10^-18. `is_at_limit`: whether friction is at its limit, or at the margin, at times.
 
-    >>> from numerics import load_scene
+    >>> from numerics import cheapest_transfer, load_scene
     >>> found = fastest_transfer(load_scene("at-rest"), "0.01", margin="0.1", digits=8)
     >>> found.road.name, [one.str(6, radius=False) for one in (found.bound, found.time, found.stuck_amplitude)]
     ('STUCK', ['0.282843', '0.298142', '2.00000'])
     >>> found.least_amplitude, found.fastest
     (None, 'no force that keeps the margin is faster: friction is at it all the time')
+    >>> found = cheapest_transfer(load_scene("at-rest"), "0.01", "0.3")
+    >>> [one.str(15, radius=False) for one in (found.cost, found.least_cost)], found.is_at_limit
+    (['0.295046099130115', '0.295046099130115'], True)
     """
 
     distance: Fraction
@@ -80,11 +85,19 @@ class Transfer(ShortRepr):
     road: TransferKind
     bound: arb
     time: arb | None
-    stuck_amplitude: arb
-    least_amplitude: arb | None
-    fastest: str
     scene: Scene | None
     digits: int
+    stuck_amplitude: arb | None = None
+    least_amplitude: arb | None = None
+    fastest: str = ""
+    cost: arb | None = None
+    least_cost: arb | None = None
+    is_at_limit: bool = True
+
+    @property
+    def holding_force(self) -> Fraction | None:
+        """Return a2 D, the force (N) that holds the pair at its new place after that time; no part of the cost."""
+        return None if self.scene is None else self.scene.pair.a2 * self.distance
 
     @property
     def sticks(self) -> bool:
@@ -126,7 +139,7 @@ def fastest_transfer(
         planned = None
         if force is not None and time is not None:
             planned = Scene(pair, scene.initial, until=rounded_up(time * 3 / 2, 6), force=force if by > 0 else -force)
-        answer = Transfer(by, part, road, bound, time, stuck, least, fastest, planned, digits)
+        answer = Transfer(by, part, road, bound, time, planned, digits, stuck, least, fastest)
         return answer, [one for one in (bound, stuck, least, time) if one is not None]
 
     return to_digits(attempt, max(digits, KEPT_DIGITS), max_digits)
@@ -199,7 +212,7 @@ def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
     tau, squared = number(pair.m2 * far / pair.b).sqrt(), pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2
     if squared > 0 and number(squared).sqrt() * tau > arb.pi() / 2:
         return None  # g' first vanishes at tan(omegad t) = omegad/decay, before a quarter turn
-    _, g, slope = pushed(pair)(tau)
+    _, g, slope = pushed(pair, tau)
     if proved_sign(slope, "does body 1 still run ahead at half time?") < 0:
         return None
     return number(pair.b) + number(pair.b / pair.m2) * tau / g
@@ -228,7 +241,7 @@ def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> C
     slow = (1 - _MET) * beta
     tau = rounded(number(2 * far * slow / (beta * (slow + beta))).sqrt(), TIME_DIGITS)
     push = min(most, rounded_up(least * number(1 + _MET), TIME_DIGITS))
-    x, v = rounded(number(push - pair.b) * pushed(pair)(number(tau))[0]), beta * tau
+    x, v = rounded(number(push - pair.b) * pushed(pair, number(tau))[0]), beta * tau
     end = x + v**2 / (2 * slow)
     if pair.a2 * end > most:
         return None

@@ -12,8 +12,7 @@ from scipy.optimize import linprog, lsq_linear
 
 from numerics import InvalidScene, NotSettled, Pair, Scene, State, cheapest_transfer
 from numerics.arithmetic.ball import Ball
-from numerics.control.least_peak import LeastPeak
-from numerics.control.optimal import LeastEnergy
+from numerics.control.optimal import LeastEnergy, LeastPeak
 
 STIFF, HEAVY = Pair(1, 1, 200, "0.5", 40), Pair("0.7", 3, 90, "1.2", "0.2")
 OVERDAMPED = Pair(1, 1, 200, "0.5", 60)
