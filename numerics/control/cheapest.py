@@ -63,15 +63,14 @@ def cheapest_transfer(
         if not cost - least_cost < cost * _CLOSE:
             raise search.not_found
         force = Force((*search.pieces(found), Piece(until, (pair.a2 * far,))))
+        at_limit = any(one.arc.side for one in found.parts)
         planned = Scene(pair, scene.initial, until=until * 3 / 2, force=force if by > 0 else -force)
-        is_at_limit = any(part.arc.side for part in found.parts)
-        answer = Transfer(
-            by, part, road, bound, number(until), planned, digits, cost=cost, least_cost=least_cost, is_at_limit=is_at_limit
-        )
-        return answer, [cost, least_cost]
+        known = {"cost": cost, "least_cost": least_cost, "is_at_limit": at_limit, "holding_force": pair.a2 * by}
+        return Transfer(by, part, road, bound, number(until), planned, digits, **known), [cost, least_cost]
 
     try:
         found = to_digits(attempt, max(digits, KEPT_DIGITS), max_digits)
+        assert found.scene is not None
         solved_again(replace(found, scene=replace(found.scene, pair=tight)))
     except (NotSettled, SlipsAgain) as error:  # under the force of a search that fails friction may give way
         end = pair.a2 * far - tight.b * pair.mass / pair.m2

@@ -43,8 +43,8 @@ _log = logging.getLogger(__name__)
 _SWINGS, _DOUBLINGS, _MOST_EVENTS = 16, 60, 10_000
 _OCTAVES, _PER_OCTAVE, _ZOOMS, _PARTS = 8, 8, 3, 16
 """The best damper is looked for so many octaves about 2 sqrt(a2 M), then between the neighbours of the best one."""
-_LEAST, _MOST = Fraction(1, 10**300), Fraction(10) ** 300
-"""The least and the largest energy at the tolerance, J, that the search in float64 takes."""
+_LEAST = Fraction(1, 10**300)
+"""The least energy at the tolerance, J, that the search in float64 takes."""
 
 
 class Times(NamedTuple):
@@ -97,13 +97,14 @@ def damping(scene: Scene, tolerance: Exact, *, digits: int = 15, max_digits: int
     if scene.is_forced:
         raise NoForceHere("damping is that of the free pair; leave the force and the changes of friction out")
     level = scene.pair.a2 * size**2 / 2
-    _require_in_range(scene, size, level)
     try:
+        if not _LEAST <= level <= 1 / _LEAST:
+            raise OverflowError
         sampled = _sampled(scene, level)
     except OverflowError:
         raise OutOfRange(
-            "a damper, or a time, of the search is beyond the range of float64 (4.9e-324 to 1.8e+308); "
-            "choose units that bring it into range"
+            f"tolerance = {short(size)} m has an energy a2 d^2/2, or its search dampers and times, beyond the range of "
+            "float64; give another tolerance, or choose units that bring them into range"
         ) from None
     best = Fraction(f"{min(sampled, key=lambda one: one[1].rest)[0]:.4g}")
 
@@ -113,35 +114,25 @@ def damping(scene: Scene, tolerance: Exact, *, digits: int = 15, max_digits: int
 
         own, at_best = (_times(one, level, follow, digits) for one in (scene, scene.replace(a1=best)))
         heavy = _heavy(scene, size)
-        known = [one for one in (*own, *at_best, *heavy) if one.is_finite()]
-        if heavy.rest <= at_best.rest:
-            return Damping(scene, size, own, None, None, heavy, digits, sampled), known
-        return Damping(scene, size, own, best, at_best, heavy, digits, sampled), known
+        known, is_best = [one for one in (*own, *at_best, *heavy) if one.is_finite()], at_best.rest < heavy.rest
+        found = Damping(
+            scene, size, own, best if is_best else None, at_best if is_best else None, heavy, digits, sampled
+        )
+        return found, known
 
     return to_digits(attempt, digits, most_digits(digits, max_digits))
 
 
-def _require_in_range(scene: Scene, size: Fraction, level: Fraction) -> None:
-    """Raise OutOfRange, with the bounds of the tolerance, where the search could not hold the energy at it."""
-    if not _LEAST <= level <= _MOST:
-        low, high = (number(2 * one / scene.pair.a2).sqrt().str(3, radius=False) for one in (_LEAST, _MOST))
-        raise OutOfRange(
-            f"tolerance = {short(size)} m must be between {low} and {high} m, where the search in float64 holds the "
-            "energy a2 d^2/2; give another tolerance"
-        )
-
-
 def _heavy(scene: Scene, size: Fraction) -> Times:
     """Return the limits as a1 grows without bound."""
-    pair, left = scene.pair, size**2 - scene.initial.x1**2
-    speed, per = number(abs(scene.initial.v2)), number(pair.m2 / pair.b)
-    if left < 0:
-        return Times(per * speed, arb.pos_inf())
+    pair, at, left = scene.pair, scene.initial, size**2 - scene.initial.x1**2
+    speed, per = number(abs(at.v2)), number(pair.m2 / pair.b)
+    rest = arb.pos_inf()
     if left == 0:
-        at = scene.initial
-        back = number((pair.m1 * at.v1 + pair.m2 * at.v2) / (pair.a2 * at.x1))
-        return Times(per * speed, back.max(per * speed))
-    return Times(per * speed, per * (speed - number(pair.a2 * left / pair.m2).sqrt()).max(arb(0)))
+        rest = number((pair.m1 * at.v1 + pair.m2 * at.v2) / (pair.a2 * at.x1)).max(per * speed)
+    elif left > 0:
+        rest = per * (speed - number(pair.a2 * left / pair.m2).sqrt()).max(arb(0))
+    return Times(per * speed, rest)
 
 
 def _sampled(scene: Scene, level: Fraction) -> list[tuple[float, Times]]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 from textwrap import fill
 from typing import Any
@@ -16,9 +17,8 @@ from matplotlib.ticker import LogLocator
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.thresholds import edges
-from numerics.control.tracking import Tracking, acceleration
-from numerics.control.transfer import Transfer
-from numerics.scene import Force, Pair
+from numerics.control.tracking import Demand
+from numerics.scene import Pair
 from numerics.solver.solve import solve
 from numerics.trajectory.curve import sampled
 from numerics.trajectory.figures import (
@@ -30,6 +30,7 @@ from numerics.trajectory.figures import (
     draw,
     draw_path,
     explain_below,
+    together,
 )
 from numerics.trajectory.trajectory import Trajectory
 
@@ -108,64 +109,50 @@ def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
     return ax
 
 
-def draw_tracking(found: Tracking, pair: Pair) -> Figure:
-    """Return the reference, what it asks of the interface beside what that holds, and the force if there is one."""
-    figure, axes = _panels(8, 7.2, 3, 1, sharex=True)
-    path, bend, end = Force(found.reference), Force(map(acceleration, found.reference)), found.demands[-1].end
-    curves = [(path, 1.0, "black"), (bend, float(pair.m2), GREEN)]
-    title = "No force makes body 2 follow: the dashed pieces require too much friction"
-    if found.scene is not None:
-        title = "The force on body 1 that makes body 2 follow"
-        curves.append((found.scene.force, 1.0, PURPLE))
-    for one in found.demands:
-        t = np.linspace(float(one.start), float(one.end), _POINTS, endpoint=False)
-        axes[1].fill_between(t, -float(one.b), float(one.b), color=GREEN, alpha=0.2, lw=0)
-        for ax, (curve, factor, colour) in zip(axes, curves, strict=False):
-            values = [factor * float(curve(at)) for at in t.tolist()]
-            ax.plot(t, values, color=colour, ls="-" if one.possible else "--")
-    axes[0].set(ylabel="r (m)", title="The reference of body 2")
-    axes[1].set(ylabel="friction needed (N)", title="Friction required; shaded: friction available")
-    axes[2].set(ylabel="u (N)", xlabel="t (s)", xlim=(0, float(end)), title=title)
+def draw_plan(found: Any, solved: Trajectory | None) -> Figure:
+    """Return the solved scene of a Transfer or a Tracking; without one what a reference asks of friction."""
+    if solved is None:
+        return _draw_demands(found.demands)
+    curve, times = sampled(solved), {name: getattr(found, name, None) for name in ("bound", "time")}
+    apart = abs(curve.y[1] - curve.y[3])
+    curve = curve._replace(stick=apart <= _TOGETHER * abs(curve.y[1]).max())
+    drawings = [partial(draw, solved, kind, curve=curve) for kind in ("positions", "velocities", "force", "load")]
+    title = "The force on body 1 that makes body 2 follow"
+    if times["bound"] is not None:
+        title = f"{fill(found.road.value, 90)}\ndotted: it arrives; dashed: no force arrives before"
+    figure = together(drawings, (10, 7), title)
+    for ax in figure.axes:
+        for time, style in zip(times.values(), ("--", ":"), strict=True):
+            if time is not None:
+                ax.axvline(float(time), color="black", lw=0.8, ls=style)
     return figure
 
 
-def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
-    """Return both positions, both velocities, and the force beside the friction that it asks for, of a solved scene."""
-    curve = sampled(solved)
-    apart = abs(curve.y[1] - curve.y[3])
-    curve = curve._replace(stick=apart <= _TOGETHER * abs(curve.y[1]).max())
-    figure, rows = _panels(8, 7.2, 3, 1, sharex=True)
-    rows[2].plot(curve.t, curve.u, color=PURPLE, label="force u on body 1")
-    for kind, ax in zip(("positions", "velocities", "load"), rows, strict=True):
-        label = "no force arrives before" if kind == "load" else None
-        ax.axvline(float(found.bound), color="black", lw=0.8, ls="--", label=label)
-        if found.time is not None:
-            ax.axvline(float(found.time), color="black", lw=0.8, ls=":")
-        draw(solved, kind, ax, curve)
-    rows[2].set_ylabel("force (N)")
-    explain_below(figure)
-    figure.suptitle(fill(found.road.value, 90), fontsize=10)
+def _draw_demands(demands: Sequence[Demand]) -> Figure:
+    """Return the most friction that each piece of a reference requires, beside what there is."""
+    figure, ax = _panels(8, 4.4, 1)
+    for one in demands:
+        t = float(one.start), float(one.end)
+        ax.fill_between(t, 0, float(one.b), color=GREEN, alpha=0.2, lw=0)
+        ax.plot(t, [float(one.force)] * 2, color=GREEN, ls="-" if one.possible else "--")
+    ax.set(xlabel="t (s)", ylabel="friction (N)", title="Most friction required; dashed: more than there is (shaded)")
     return figure
 
 
 def draw_ring(found: Any) -> Figure:
-    """Return Fig. 1 for the scene of a Ring: relative plane, and distance from the limit over time, in float64."""
+    """Return Fig. 1 for the scene of a Ring: the relative plane, in float64."""
     entry, radius, rate, centre = (float(one) for one in (found.entry, found.radius, found.rate, found.centre))
     curve = sampled(solve(replace(found.scene, until=max(found.scene.until, Fraction(1.3 * entry)))))
     z, w = curve.y[0] - curve.y[2] - centre, curve.y[1] - curve.y[3]
-    figure, (plane, time) = _panels(10.5, 5.2, 1, 2)
+    figure, ax = _panels(7, 5.2, 1)
     late = curve.t >= entry
-    plane.plot(z, w, color=GRAY, lw=0.9, label="before")
-    plane.plot(z[late], w[late], color="black", lw=1.6, label="inside permanently")
-    plane.add_patch(Ellipse((0, 0), 2 * radius, 2 * radius * rate, fill=False, ec="black", ls="--", label="ring"))
     first = int(np.argmax(late))
-    plane.plot(z[first], w[first], "o", color="black", ms=5, label=f"t = {entry:.6g} s")
-    plane.set(xlabel="$z - z^*$ (m)", ylabel="$w = v_1 - v_2$ (m/s)", title="The relative motion and its ring")
-    _legends_below([plane])
-    time.semilogy(curve.t, np.hypot(z, w / rate), color="black", lw=0.9)
-    time.axhline(radius, color="black", ls="--", lw=0.9)
-    time.axvline(entry, color=GRAY, lw=1)
-    time.set(xlabel="t (s)", ylabel="distance from the limit (m)", title="Inside permanently from the line on")
+    ax.plot(z, w, color=GRAY, lw=0.9, label="before")
+    ax.plot(z[late], w[late], color="black", lw=1.6, label="inside permanently")
+    ax.add_patch(Ellipse((0, 0), 2 * radius, 2 * radius * rate, fill=False, ec="black", ls="--", label="ring"))
+    ax.plot(z[first], w[first], "o", color="black", ms=5, label=f"t = {entry:.6g} s")
+    ax.set(xlabel="$z - z^*$ (m)", ylabel="$w = v_1 - v_2$ (m/s)", title="The relative motion and its ring")
+    _legends_below([ax])
     return figure
 
 

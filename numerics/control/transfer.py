@@ -68,6 +68,7 @@ class Transfer(ShortRepr):
     sentence on what is proved about `time`. Of the cheapest one `cost`: int u^2 dt (N^2 s), or max |u| (N), up to that
     time; `least_cost`: proved lower bound on it for all transfers that stick and keep the margin, which is less by a
     part of some 10^-18. `is_at_limit`: whether friction is at its limit, or at the margin, at times.
+    `holding_force`: a2 D, which holds the pair at its new place after that time, N; no part of the cost.
 
     >>> from numerics import cheapest_transfer, load_scene
     >>> found = fastest_transfer(load_scene("at-rest"), "0.01", margin="0.1", digits=8)
@@ -93,11 +94,7 @@ class Transfer(ShortRepr):
     cost: arb | None = None
     least_cost: arb | None = None
     is_at_limit: bool = True
-
-    @property
-    def holding_force(self) -> Fraction | None:
-        """Return a2 D, the force (N) that holds the pair at its new place after that time; no part of the cost."""
-        return None if self.scene is None else self.scene.pair.a2 * self.distance
+    holding_force: Fraction | None = None
 
     @property
     def sticks(self) -> bool:

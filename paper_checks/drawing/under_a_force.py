@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from numerics.control.answers import solved_again
-from numerics.control.pictures import REGIME_COLOURS, draw_ring, draw_thresholds, draw_transfer
+from numerics.control.pictures import REGIME_COLOURS, draw_plan, draw_ring, draw_thresholds
 from numerics.control.ring import ring_entry
 from numerics.control.transfer import fastest_transfer
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
@@ -83,9 +83,7 @@ def _draw_third_root(ax: Axes) -> None:
 def fastest_transfer_figure() -> Figure:
     """Draw the fastest transfer over 1 mm with a force of at most 1.08 N: body 1 runs ahead, and is met at half time."""
     found = fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08")
-    solved = solved_again(found)
-    assert solved is not None
-    return draw_transfer(found, solved)
+    return draw_plan(found, solved_again(found))
 
 
 def tolerance_ring_of_a_scene() -> Figure:

@@ -8,7 +8,8 @@ from flint import arb
 
 from numerics import Friction, Pair, Piece, Scene, Sine, State, load_reference, load_scene
 from numerics.arithmetic.ball import Ball
-from numerics.control.pictures import draw_tracking
+from numerics.control.answers import solved_again
+from numerics.control.pictures import draw_plan
 from numerics.control.tracking import track
 from numerics.scene.largest import over
 
@@ -26,7 +27,7 @@ def test_body_2_follows_by_the_reference(pair, reference):
     with Ball(36).context():
         goal = over(reference[-1])(arb(3))
         assert abs(run.x2 - goal) < arb(10) ** -30
-    assert draw_tracking(found, pair).axes
+    assert draw_plan(found, solved_again(found)).axes
 
 
 def test_what_asks_too_much_is_named_piece_by_piece_with_how_much():
@@ -35,7 +36,7 @@ def test_what_asks_too_much_is_named_piece_by_piece_with_how_much():
     assert found.scene is None
     assert [one.possible for one in found.demands] == [True, False]
     assert found.demands[1].force.overlaps(Ball.number(Fraction(6, 5)))
-    assert draw_tracking(found, FREE).axes
+    assert draw_plan(found, None).axes
     falls = Scene(FREE, State(), 2, friction=Friction([(1, "0.1")]))
     demands = track(falls, (Piece(0, [0, 0, "0.1"]),)).demands
     assert [(one.start, one.possible) for one in demands] == [(0, True), (1, False)]
