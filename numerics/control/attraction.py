@@ -13,7 +13,7 @@ from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import exact_middle, undecided, working_digits
 from numerics.control.answers import number, rounded
-from numerics.control.orbit import Orbit, one_round, without_x2
+from numerics.control.orbit import Orbit, one_round, state_at, without_x2
 
 _DOUBLINGS = 10
 """The period map is taken up to 2^n times in a row until it shrinks all distances."""
@@ -36,7 +36,7 @@ def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
 
 def _period_slopes(orbit: Orbit, t: arb, reach: arb) -> arb_mat:
     """Return the derivative of (x1, v1, v2) a period after t by that at t, over the box within `reach` of the orbit."""
-    at, norm = without_x2(orbit.passage_at(t).at(t)), orbit.drive.norm
+    at, norm = without_x2(state_at(orbit.passage_at(t), t)), orbit.drive.norm
     start = [rounded(one, working_digits()) for one in at]
     off = max(abs(one - number(near)).upper() for one, near in zip(at, start, strict=True))
     radius = (off + reach / min(norm.root_a2, norm.root_m1, norm.root_m2)).upper()

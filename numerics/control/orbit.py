@@ -27,7 +27,7 @@ from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
 from numerics.trajectory.trajectory import Trajectory
-from numerics.trajectory.variation import legs
+from numerics.trajectory.variation import Leg, legs
 
 _log = logging.getLogger(__name__)
 _STEPS = 20
@@ -78,45 +78,28 @@ class PeriodicDrive(ShortRepr):
         return Scene(self.pair, State(x1, v1, 0, v2), until=rounded_up(self.period, digits), force=force)
 
 
-class Passage(NamedTuple):
-    """One motion between two times (s), from (x1, v1, x2, v2) on: in one mode, under one piece of force."""
-
-    start: arb
-    end: arb
-    mode: LinearMode
-    state: tuple[arb, arb, arb, arb]
-
-    @property
-    def side(self) -> int:
-        """Return the sign of v1 - v2, 0 in stick."""
-        return self.mode.side
-
-    @property
-    def motion(self) -> Motion:
-        """Return the motion, with the time since its start."""
-        return self.mode.motion(self.state, self.start)
-
-    def at(self, t: arb) -> tuple[arb, arb, arb, arb]:
-        """Return (x1, v1, x2, v2) at a time, s; v2 is v1 in a stick."""
-        x1, v1, x2, v2 = self.motion.state(t - self.start)
-        return x1, v1, x2, v2 if self.side else v1
-
-    def later(self, time: arb | int, x2: arb | int) -> Passage:
-        """Return the same passage later by a time (s) after which the force is the same, and body 2 further on (m)."""
-        (at_x1, at_v1, at_x2, at_v2) = self.state
-        return self._replace(start=self.start + time, end=self.end + time, state=(at_x1, at_v1, at_x2 + x2, at_v2))
+def motion_of(leg: Leg) -> Motion:
+    """Return the motion of a leg, with the time since its start."""
+    return leg.mode.motion(leg.state, leg.start)
 
 
-def passages(run: Trajectory) -> list[Passage]:
-    """Return the motions of a trajectory in balls, from t = 0 to its horizon."""
-    return [Passage(one.start, one.end, one.mode, one.state) for one in legs(run)]
+def state_at(leg: Leg, t: arb) -> tuple[arb, arb, arb, arb]:
+    """Return (x1, v1, x2, v2) of a leg at a time, s; v2 is v1 in a stick."""
+    x1, v1, x2, v2 = motion_of(leg).state(t - leg.start)
+    return x1, v1, x2, v2 if leg.side else v1
 
 
-def middle(parts: Sequence[Passage]) -> tuple[Fraction, State3]:
+def later(leg: Leg, time: arb | int, further: arb | int) -> Leg:
+    """Return the same leg later by a time (s) after which the force is the same, and body 2 further on (m)."""
+    x1, v1, x2, v2 = leg.state
+    return leg._replace(start=leg.start + time, end=leg.end + time, state=(x1, v1, x2 + further, v2))
+
+
+def middle(parts: Sequence[Leg]) -> tuple[Fraction, State3]:
     """Return a time (s) in the middle of the longest passage, and (x1, v1, v2) there."""
     longest = max(parts, key=lambda one: float(one.end - one.start))
     t = rounded((longest.start + longest.end) / 2)
-    return t, without_x2(longest.at(number(t)))
+    return t, without_x2(state_at(longest, number(t)))
 
 
 def without_x2(state: Sequence[arb]) -> State3:
@@ -133,28 +116,28 @@ class Orbit(ShortRepr):
     """
 
     drive: PeriodicDrive = field(repr=False)
-    legs: tuple[Passage, ...] = field(repr=False)
+    legs: tuple[Leg, ...] = field(repr=False)
     travel: arb
     slopes: arb_mat = field(repr=False)
 
     def multipliers(self) -> list[acb]:
         """Return the Floquet multipliers of (x1, v1, v2), largest first. Raises EventUndecided."""
-        found = _eigenvalues(self.slopes)
+        found = eigenvalues(self.slopes)
         # where the pair sticks v2 goes with v1: w dies in a finite time
         return [*found[:2], acb(0)] if any(one.side == 0 for one in self.legs) else found
 
-    def between(self, start: arb, end: arb) -> Iterator[Passage]:
+    def between(self, start: arb, end: arb) -> Iterator[Leg]:
         """Yield the legs that meet [start, end], in order, and perhaps one at either edge."""
         period = self.drive.period
         for turn in count(math.floor(float((start - self.legs[0].start) / period)) - 1):
             for leg in self.legs:
-                there = leg.later(turn * period, turn * self.travel)
+                there = later(leg, turn * period, turn * self.travel)
                 if there.start > end:
                     return
                 if there.end > start:
                     yield there
 
-    def passage_at(self, t: arb) -> Passage:
+    def passage_at(self, t: arb) -> Leg:
         """Return the leg of a time t (s) that is no event. Raises EventUndecided."""
         found = list(self.between(t, t))
         if len(found) != 1 or not found[0].start <= t:
@@ -177,7 +160,7 @@ class Box(Ball):
 
 def follow(
     drive: PeriodicDrive, begin: Fraction, start: Sequence[Fraction], most: int, radius: arb | int = 0
-) -> tuple[list[Passage], Trajectory]:
+) -> tuple[list[Leg], Trajectory]:
     """Return the period after a time (s) of all motions within a radius of a start (x1, v1, v2), and as it was run.
 
     From v1 = v2 these are stuck ones. Raises EventUndecided, NotSettled if there are more than `most` events.
@@ -189,10 +172,10 @@ def follow(
             f"a period of {float(drive.period):.4g} s has more than {most} events, a fifth of max_events; raise "
             "max_events, or use frequencies with a shorter common period"
         )
-    parts, t = passages(run), number(begin)
+    parts, t = legs(run), number(begin)
     ends = [*(one.start for one in parts[1:]), drive.period]
     found = [
-        Passage(t + one.start, t + end, LinearMode.under(drive.pair, one.side, drive.piece), one.state)
+        one._replace(start=t + one.start, end=t + end, mode=LinearMode.under(drive.pair, one.side, drive.piece))
         for one, end in zip(parts, ends, strict=True)
     ]
     return found, run
@@ -201,7 +184,7 @@ def follow(
 class Round(NamedTuple):
     """A period of all motions of a box: its passages, its end (x1, v1, x2, v2), and (x1, v1, v2) there by the start."""
 
-    parts: list[Passage]
+    parts: list[Leg]
     end: tuple[arb, arb, arb, arb]
     slopes: arb_mat
 
@@ -219,19 +202,18 @@ def one_round(
         raise undecided("does the pair come back after a period?", f"after {len(parts)} legs")
     chain = Chain(run.scene, legs(run), ("x1", "v1", "v2"))
     x1, v1, _, v2 = chain.at(len(parts) - 1, last.end - last.start).tolist()
-    return Round(parts, last.at(last.end), arb_mat([x1, v1, v2]))
+    return Round(parts, state_at(last, last.end), arb_mat([x1, v1, v2]))
 
 
-def _eigenvalues(matrix: arb_mat) -> list[acb]:
+def eigenvalues(matrix: arb_mat) -> list[acb]:
     """Return the eigenvalues of a real matrix, largest first. Raises EventUndecided."""
     try:
         found = acb_mat(matrix).eig()
     except ValueError:
-        raise undecided("are the multipliers apart?", "equal or close") from None
+        raise undecided("are the eigenvalues apart?", "equal or close") from None
     for k, one in enumerate(found):
-        both = acb(one.real, arb(0, abs(one.imag).upper()))
         # its conjugate is an eigenvalue, too: if no other ball can hold that, it is real
-        if one.imag.contains(0) and not any(both.overlaps(other) for other in found if other is not one):
+        if one.imag.contains(0) and not any(one.conjugate().overlaps(other) for other in found if other is not one):
             found[k] = acb(one.real)
     return sorted(found, key=lambda one: (float(f"{-float(abs(one).mid()):.9g}"), -float(one.imag.mid())))
 
@@ -292,5 +274,5 @@ def _in_order(drive: PeriodicDrive, over: Round) -> Orbit:
     turns = [math.floor(float(one.start / period)) for one in legs]
     k = min(range(len(legs)), key=lambda k: (legs[k].side != 1, float(legs[k].start - turns[k] * period)))
     place = legs[k].state[2]
-    moved = [one.later((m < k) * period - turns[k] * period, (m < k) * travel - place) for m, one in enumerate(legs)]
+    moved = [later(one, (m < k) * period - turns[k] * period, (m < k) * travel - place) for m, one in enumerate(legs)]
     return Orbit(drive, (*moved[k:], *moved[:k]), travel, over.slopes)

@@ -82,11 +82,6 @@ class Response(ShortRepr):
         is_kept = self.regime is Regime.ENTRAINED and self.drive.pair.a1 == 0
         return tuple(arb(one != 0) if is_kept else abs(one) for one in self.multipliers or ())
 
-    @property
-    def is_only_one(self) -> bool:
-        """Return whether every motion is proved to tend to this one."""
-        return self.attraction.startswith(_EVERY)
-
     @meter("drawing")
     def plot(self) -> Figure:
         """Return a matplotlib figure: one period of the motion, its friction, and the thresholds over frequency.

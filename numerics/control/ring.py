@@ -27,7 +27,7 @@ from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.arithmetic.precision import precision
 from numerics.control.answers import most_digits, number
 from numerics.control.attraction import slide_left
-from numerics.control.orbit import Orbit, Passage, PeriodicDrive, passages
+from numerics.control.orbit import Orbit, PeriodicDrive, motion_of, state_at
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
@@ -40,6 +40,7 @@ from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
+from numerics.trajectory.variation import Leg, legs
 
 _log = logging.getLogger(__name__)
 _FREE, _FORCED = (24, 100_000), (7, 2_000)
@@ -150,11 +151,9 @@ def _settled(
         if not run.reached:
             break
         until *= 2
-    remedy = f"a later horizon{'' if drive.pair.a1 else ' or a larger radius'} may help"
-    if orbit is not None:
-        remedy = "convergence to the periodic motion was not proved; a larger radius may not help either"
-    elif drive.piece.sines:
-        remedy = "a larger radius does not help: the pair is not proved to stick permanently"
+    remedy = "it is not proved to do so later, which a larger radius may not change"
+    if not drive.piece.sines:
+        remedy = "a later horizon or a larger radius may help"
     raise NotSettled(
         f"the motion is not known to settle to within {near:.3g} m of its limit by t = {short(run.scene.until)} s or "
         f"{most} events; {remedy}"
@@ -168,7 +167,7 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
     the motion stays within `near` of the limit (m, and m/s) is `since`. While more can still slide than that is
     sharp and the balls of both motions are apart, a later horizon is sharper: None.
     """
-    parts, norm, period = passages(trajectory), orbit.drive.norm, orbit.drive.period
+    parts, norm, period = legs(trajectory), orbit.drive.norm, orbit.drive.period
     end, limit, since = number(trajectory.scene.until), None, None
     for back in range(int(float(end / period)) if trajectory.reached else 0):
         t = (end - back * period).mid()
@@ -177,7 +176,7 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
             here = [one for one in parts if one.start <= t and not t > one.end][:1]
             if [one.side for one in here] != [there.side]:
                 break
-            apart = [a - b for a, b in zip(here[0].at(t), there.at(t), strict=True)]
+            apart = [a - b for a, b in zip(state_at(here[0], t), state_at(there, t), strict=True)]
             reach = norm.of(apart)
             left = slide_left(orbit, t, reach)
         except EventUndecided:
@@ -201,7 +200,7 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:
     """Return the last time (s) at which the motion is on the ring before the time from which on it is inside; or 0."""
     orbit, squared, weight = known.orbit, number(radius**2), number(1 / rate**2)
-    for one in reversed(passages(trajectory)):
+    for one in reversed(legs(trajectory)):
         if one.start < known.since:
             together = [(one,)] if orbit is None else [(one, two) for two in orbit.between(one.start, one.end)]
             for parts in reversed(together):
@@ -217,9 +216,9 @@ Function = Callable[[arb], tuple[arb, arb]]
 _ROWS = ((0, Z), (0, W), (1, Z), (1, W))
 
 
-def _outside(parts: Sequence[Passage], start: arb, limit: arb, squared: arb, weight: arb) -> Function:
+def _outside(parts: Sequence[Leg], start: arb, limit: arb, squared: arb, weight: arb) -> Function:
     """Return D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 from a time (s) on: of one motion, or of that less another."""
-    motions = [(one.motion, start - one.start) for one in parts]
+    motions = [(motion_of(one), start - one.start) for one in parts]
 
     def over(t: arb) -> tuple[arb, arb]:
         stretched = [motion.over(since + t) for motion, since in motions]

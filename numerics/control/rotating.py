@@ -5,9 +5,8 @@ pair sticks and rotates, above it body 2 slips with the constant speed rho = b p
 
     |D|^2 p^2 + 2 a1 m2 w^3 p + |D_M|^2 = (U m2 w^2/b)^2,   s parallel to f, v2 = -i f/(m2 w).
 
-Friction is a viscous damper b/rho across the slip and none along it: in the rotating frame the exponents l solve
-
-    1 + (b/rho) (G(l + iw) + G(l - iw))/2 = 0,   G(x) = x/(m1 x^2 + a1 x + a2) + 1/(m2 x).
+Friction is a viscous damper b/rho across the slip and none along it: in the rotating frame all is linear, and constant
+in time.
 """
 
 from __future__ import annotations
@@ -16,10 +15,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from flint import acb, acb_poly, arb
+from flint import acb, arb, arb_mat
 
 from numerics.arithmetic.attempts import to_digits
-from numerics.arithmetic.ball import Ball, undecided
+from numerics.arithmetic.ball import Ball
+from numerics.control.orbit import eigenvalues
 from numerics.control.thresholds import entrainment_threshold, impedance, load_margin, round_pair
 from numerics.errors import InvalidScene
 from numerics.exits import tool
@@ -97,29 +97,29 @@ def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: i
         rho, v2 = n(b / (m2 * w)) * p, -i * f / n(m2 * w)
         v1 = v2 + f * (rho / n(b))
         attracts = bool(a1 > 0) or (level > 0 and a2 / m1 not in {w * w, w * w * 4})  # stuck, a free oscillation stays
-        exponents = _exponents(line, w, rho, digits) if level > 0 else ()
+        exponents = _exponents(line, w, rho) if level > 0 else ()
         threshold, q1 = entrainment_threshold(line, w), v1 / (i * n(w))
-        return RotatingResponse(w, size, threshold, rho, f, q1, v1, v2, exponents, attracts, digits), []
+        return RotatingResponse(w, size, threshold, rho, f, q1, v1, v2, exponents, attracts, digits), [
+            one.real for one in exponents
+        ]
 
     return to_digits(attempt, digits, spare=_SPARE)
 
 
-def _exponents(line: Pair, w: Fraction, rho: arb, digits: int) -> tuple[acb, ...]:
-    """Return the six roots, least damped first."""
-    m1, m2, a1, a2, b = map(Ball.number, (line.m1, line.m2, line.a1, line.a2, line.b))
-
-    def moved(sign: int) -> tuple[acb_poly, acb_poly]:
-        x = acb_poly([acb(0, Ball.number(w) * sign), 1])
-        body = x * x * acb(m1) + x * acb(a1) + acb(a2)
-        return x * x * acb(m2) + body, x * body * acb(m2)
-
-    (p, q), (r, s) = moved(1), moved(-1)
-    whole = q * s + (p * s + r * q) * acb(b / (2 * rho))
-    try:
-        roots = whole.roots(tol=arb(10) ** (-digits - 3))
-    except ValueError:  # at this precision two of them are not apart
-        raise undecided("are the exponents of the slip apart?", "roots") from None
-    return tuple(sorted(roots, key=lambda one: -float(one.real.mid())))
+def _exponents(line: Pair, w: Fraction, rho: arb) -> tuple[acb, ...]:
+    """Return the six exponents, least damped first: eigenvalues for (x1, v1, v2), along the slip and across it."""
+    n, m1, m2 = Ball.number, line.m1, line.m2
+    turn, spring, viscous, across = n(w), n(-line.a2 / m1), n(-line.a1 / m1), n(line.b) / rho
+    by_1, by_2 = across / n(m1), across / n(m2)
+    matrix = [
+        [0, turn, 1, 0, 0, 0],
+        [-turn, 0, 0, 1, 0, 0],
+        [spring, 0, viscous, turn, 0, 0],
+        [0, spring, -turn, viscous - by_1, 0, by_1],
+        [0, 0, 0, 0, 0, turn],
+        [0, 0, 0, by_2, -turn, -by_2],
+    ]
+    return tuple(sorted(eigenvalues(arb_mat(matrix)), key=lambda one: -float(one.real.mid())))
 
 
 def rotating_force(scene: PlaneScene, digits: int = 15) -> tuple[Fraction, Fraction]:

@@ -14,7 +14,7 @@ from flint import arb
 
 from numerics.arithmetic.ball import undecided
 from numerics.control.answers import number, rounded
-from numerics.control.orbit import Orbit, PeriodicDrive, State3, follow, middle, solve_from, without_x2
+from numerics.control.orbit import Orbit, PeriodicDrive, State3, follow, middle, solve_from, state_at, without_x2
 from numerics.control.stuck import stuck_motion
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange
 
@@ -51,7 +51,7 @@ def _found_from(drive: PeriodicDrive, begin: Fraction, at: State3, periods: int,
     """
     for _ in range(periods):
         parts, _ = follow(drive, begin, [rounded(one, _DIGITS) for one in at], most)
-        at = without_x2(parts[-1].at(parts[-1].end))
+        at = without_x2(state_at(parts[-1], parts[-1].end))
     if len(parts) == 1:
         raise undecided("has a period an event?", "none")
     return solve_from(drive, *middle(parts), most)
