@@ -7,7 +7,7 @@ in balls for it; after that time the motion is inside by what is proved of all l
 
     stuck for ever  what acts at the horizon goes on, and the engine proves that the load stays below b
     creeping        a1 = 0 and no sine: all slips to come are bounded (`creeping_place`)
-    closing in      on a periodic motion: the period map shrinks distances (`attraction`)
+    closing in      on a periodic motion: the period map shrinks distances (`slide_left`)
 """
 
 from __future__ import annotations
@@ -20,14 +20,13 @@ from functools import reduce
 from typing import NamedTuple
 
 import flint
-from flint import arb
+from flint import arb, arb_mat
 
 from numerics.arithmetic.attempts import to_digits
-from numerics.arithmetic.ball import Ball, undecided, working_digits
+from numerics.arithmetic.ball import Ball, exact_middle, undecided, working_digits
 from numerics.arithmetic.precision import precision
-from numerics.control.answers import most_digits, number
-from numerics.control.attraction import slide_left
-from numerics.control.orbit import Orbit, PeriodicDrive, motion_of, state_at
+from numerics.control.answers import most_digits, number, rounded
+from numerics.control.orbit import Orbit, PeriodicDrive, motion_of, one_round, state_at, without_x2
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
@@ -45,7 +44,7 @@ from numerics.trajectory.variation import Leg, legs
 _log = logging.getLogger(__name__)
 _FREE, _FORCED = (24, 100_000), (7, 2_000)
 """Number of times the horizon is doubled until all later motion is known, and the limit on events."""
-_SEARCH_BITS = 96
+_SEARCH_BITS, _SQUARINGS = 96, 10
 
 
 @dataclass(frozen=True, repr=False)
@@ -192,6 +191,32 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
     if limit is None or since is None:
         return None
     return Settled(limit, since, "it closes in on the periodic motion: the period map shrinks distances", orbit)
+
+
+def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
+    """Return a bound of int |w - w*| dt from a time on, for all motions in the mode of the orbit within `reach` of it.
+
+    Both are followed as one box of states that have the same events (`one_round`). The derivative of the period map
+    over the box bounds how much a period shrinks distances; N never grows in between. If k periods shrink it by theta
+    < 1, then int |w - w*| dt <= kappa k T reach/(1 - theta), as |w - w*| <= kappa N. Raises EventUndecided.
+    """
+    norm, slopes = orbit.drive.norm, _period_slopes(orbit, t.mid(), reach)
+    for doubling in range(_SQUARINGS):
+        x1, v1, v2 = (norm.most((x, v, arb(0), w)) for x, v, w in slopes.tolist())
+        shrunk = norm.of((x1, v1, arb(0), v2))
+        if shrunk < arb("0.9"):
+            return (norm.kappa * 2**doubling * orbit.drive.period * reach / (1 - shrunk)).upper()
+        slopes = slopes * slopes
+    raise undecided("does the period map shrink distances?", shrunk)
+
+
+def _period_slopes(orbit: Orbit, t: arb, reach: arb) -> arb_mat:
+    """Return the derivative of (x1, v1, v2) a period after t by that at t, over the box within `reach` of the orbit."""
+    at, norm = without_x2(state_at(orbit.passage_at(t), t)), orbit.drive.norm
+    start = [rounded(one, working_digits()) for one in at]
+    off = max(abs(one - number(near)).upper() for one, near in zip(at, start, strict=True))
+    radius = (off + reach / min(norm.root_a2, norm.root_m1, norm.root_m2)).upper()
+    return one_round(orbit.drive, exact_middle(t), start, len(orbit.legs), radius).slopes
 
 
 # the last time on the ring
