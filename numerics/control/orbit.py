@@ -111,7 +111,7 @@ def without_x2(state: Sequence[arb]) -> State3:
 class Orbit(ShortRepr):
     """A periodic motion by its legs in order of time, each from an event; after the last the first begins again.
 
-    Body 2 gets on by `travel` (m) in a period. `slopes`: the derivative of (x1, v1, v2) by
+    x2 is 0 at the first event; body 2 gets on by `travel` (m) in a period. `slopes`: the derivative of (x1, v1, v2) by
     that a period before, at some time.
     """
 
@@ -267,10 +267,12 @@ def _largest(step: Sequence[arb]) -> arb:
 
 
 def _in_order(drive: PeriodicDrive, over: Round) -> Orbit:
-    """Return a round as an orbit whose legs begin in [0, period)."""
+    """Return a round as an orbit, from the first slip + (else any leg) on that begins in [0, period)."""
     period, (first, *legs) = drive.period, over.parts
     travel = over.end[2] - first.state[2]
     legs[-1] = legs[-1]._replace(end=first.end + period)
     turns = [math.floor(float(one.start / period)) for one in legs]
-    moved = [later(one, -turn * period, -turn * travel) for turn, one in zip(turns, legs, strict=True)]
-    return Orbit(drive, tuple(sorted(moved, key=lambda one: float(one.start))), travel, over.slopes)
+    k = min(range(len(legs)), key=lambda k: (legs[k].side != 1, float(legs[k].start - turns[k] * period)))
+    place = legs[k].state[2]
+    moved = [later(one, ((m < k) - turns[k]) * period, (m < k) * travel - place) for m, one in enumerate(legs)]
+    return Orbit(drive, (*moved[k:], *moved[:k]), travel, over.slopes)
