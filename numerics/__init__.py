@@ -57,12 +57,12 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     __version__: str
-    from numerics.control.cheapest import cheapest_transfer as cheapest_transfer
     from numerics.control.damping import damping as damping
     from numerics.control.response import response as response
     from numerics.control.ring import ring_entry as ring_entry
     from numerics.control.thresholds import thresholds as thresholds
     from numerics.control.tracking import track as track
+    from numerics.control.transfer import cheapest_transfer as cheapest_transfer
     from numerics.control.transfer import fastest_transfer as fastest_transfer
     from numerics.errors import EventUndecided as EventUndecided
     from numerics.errors import InvalidScene as InvalidScene
@@ -112,13 +112,12 @@ _NAMES = {
     "plane.trajectory": "PlaneTrajectory",
     "trajectory.sensitivity": "sensitivities",
     "linear.modes": "Mode",
-    "control.cheapest": "cheapest_transfer",
     "control.damping": "damping",
     "control.response": "response",
     "control.ring": "ring_entry",
     "control.thresholds": "thresholds",
     "control.tracking": "track",
-    "control.transfer": "fastest_transfer",
+    "control.transfer": "cheapest_transfer fastest_transfer",
     "errors": "EventUndecided InvalidScene MissingTool NotDifferentiable NotSettled NumericsError OutOfRange "
     "PrecisionExhausted",
 }

@@ -13,7 +13,7 @@ from inclusion import motion, solved
 from numerics import Force, Pair, Scene, State, response, solve
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import rounded
-from numerics.control.orbit import Orbit, without_x2
+from numerics.control.orbit import Orbit, state_at, without_x2
 from numerics.control.response import Response
 
 FREE, DAMPED = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.5", 3)
@@ -67,7 +67,7 @@ def started(orbit: Orbit, begin: Fraction) -> list[Fraction]:
     """(x1, v1, v2) of a periodic motion at a time."""
     with Ball(50).context():
         t = Ball.number(begin)
-        x1, v1, v2 = without_x2(orbit.passage_at(t).at(t))
+        x1, v1, v2 = without_x2(state_at(orbit.passage_at(t), t))
         return [rounded(one) for one in (x1, v1, v1 if v1.overlaps(v2) else v2)]
 
 

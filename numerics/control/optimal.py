@@ -18,7 +18,7 @@ the least energy. Nothing rests on the search: the bound is computed from the fo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -71,7 +71,7 @@ class Motion(NamedTuple):
 class LeastEnergy:
     """The search for a force on a pair over a distance (m) in a time (s), |a| <= most (m/s^2); `bound` proves it.
 
-    It has the least int u^2 dt. z = (x, v, q, r, P, limit), z' = free z + by_u u/M + by_w w. P = hypot(q(0),
+    It has the least int u^2 dt. z = (x, v, q, r, P, limit), z' = free z + moved (u/M, w). P = hypot(q(0),
     r(0)/sqrt(k)).
     """
 
@@ -82,8 +82,7 @@ class LeastEnergy:
         self.far, self.T, self.c, self.k = map(number, (far, until, pair.a1 / pair.mass, pair.a2 / pair.mass))
         nothing = [[0] * 6] * 3
         self.free = arb_mat([[0, 1, 0, 0, 0, 0], [-self.k, -self.c, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0], *nothing])
-        self.by_u = arb_mat([[0], [1], [0], [0], [0], [0]])
-        self.by_w = arb_mat([[0], [0], [-self.c], [self.k], [0], [0]])
+        self.moved = arb_mat([[0, 0], [1, 0], [0, -self.c], [0, self.k], [0, 0], [0, 0]])
         damped = f", or the damper a1 = {short(pair.a1)} N s/m too strong" if pair.a1 else ""
         self.not_found = NotSettled(
             f"no cheapest force was found: the time is next to the least one, or too long to search{damped}"
@@ -133,21 +132,18 @@ class LeastEnergy:
         arc, _ = self.arc(z)
         while (left := (self.T - start).mid()) > shortest:
             step, (of_u, of_w) = left.min((1 / (self.k.sqrt() + self.c)).mid()), self.rows(arc)
-            A, terms = self.free + self.by_u * arb_mat([of_u]) + self.by_w * arb_mat([of_w]), [z]
+            A, terms = self.free + self.moved * arb_mat([of_u, of_w]), [z]
             for k in range(1, _TERMS):
                 terms.append(A * terms[-1] / k)
             columns = [arb_poly([one[place, 0] for one in terms]) for place in range(6)]
 
-            def rule(t: arb, columns: list[arb_poly] = columns) -> tuple[Arc, arb]:
-                return self.arc(arb_mat([[one(t)] for one in columns]))
-
             low = high = arb(0)
             for k in range(1, _CHECKS + 1):
                 low, high = high, (step * k / _CHECKS).mid()
-                then, a = rule(high)
+                then, a = self.arc(_at(columns, high))
                 largest = largest.max(abs(a).mid())
                 if then != arc:
-                    high, then = self.change(arc, then, columns, rule, low, high)
+                    high, then = self.change(arc, then, columns, low, high)
                     break
             u, w = (_dot(row, columns) for row in (of_u, of_w))
             parts.append(Part(start, u, arb_poly([one.mid() for one in w.coeffs()]), arc))
@@ -156,13 +152,11 @@ class LeastEnergy:
                 raise self.not_found
         return Motion(q, r, parts, z.transpose().tolist()[0][:4], largest)
 
-    def change(
-        self, arc: Arc, then: Arc, columns: list[arb_poly], rule: Callable[[arb], tuple[Arc, arb]], low: arb, high: arb
-    ) -> tuple[arb, Arc]:
+    def change(self, arc: Arc, then: Arc, columns: list[arb_poly], low: arb, high: arb) -> tuple[arb, Arc]:
         """Return the first time between two at which an arc ends, about, and the arc that follows."""
         for _ in range(_HALVINGS):
             middle = ((low + high) / 2).mid()
-            there, _ = rule(middle)
+            there, _ = self.arc(_at(columns, middle))
             low, high, then = (middle, high, then) if there == arc else (low, middle, there)
         f = columns[2]
         if then.sign == arc.sign:
@@ -288,6 +282,10 @@ class LeastPeak(LeastEnergy):
         """Return gain/int |w|."""
         parts = [(part.w, 0 if part.arc.side else part.arc.sign, length) for _, length, part in self.lengths(found)]
         return self.mass * gain / sum((self.total(*one) for one in parts), arb(0))
+
+
+def _at(columns: list[arb_poly], t: arb) -> arb_mat:
+    return arb_mat([[one(t)] for one in columns])
 
 
 def _dot(row: Row, columns: list[arb_poly]) -> arb_poly:

@@ -76,17 +76,16 @@ def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_di
             raise InvalidScene(f"thresholds are not available for {extra}; {PLAIN}")
     require_digits(digits, max_digits=max_digits)
     rate = positive(omega, "omega", "give a frequency in rad/s")
-    if isinstance(pair, PlanePair):
-        line = round_pair(pair)
+    line = round_pair(pair) if isinstance(pair, PlanePair) else pair
 
     def attempt(_: Ball) -> tuple[Thresholds, list[arb]]:
+        low = entrainment_threshold(line, rate)
         if isinstance(pair, PlanePair):  # under a rotating force both are equal
-            both = entrainment_threshold(line, rate)
-            return Thresholds(rate, both, both, None, digits), [both]
-        low, high = entrainment_threshold(pair, rate), non_stop_threshold(pair, rate)
-        odd = odd_ratio(pair, pair.mass, rate)
-        flattened = None if odd is None else low / flattest_peak(odd)
-        numbers = [low, high if odd_ratio(pair, pair.m1, rate) is None else low, flattened or low]
+            return Thresholds(rate, low, low, None, digits), [low]
+        high, odd = non_stop_threshold(line, rate), odd_ratio(line, line.mass, rate)
+        # others stick where a free oscillation flattens the peaks: min max |sin t + c sin(n t + phase)| = cos(pi/(2 n))
+        flattened = None if odd is None else low / (arb.pi() / (2 * odd)).cos()
+        numbers = [low, high if odd_ratio(line, line.m1, rate) is None else low, flattened or low]
         return Thresholds(rate, low, high, flattened, digits), numbers
 
     return to_digits(attempt, digits, max_digits)
@@ -94,11 +93,10 @@ def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_di
 
 def round_pair(pair: PlanePair) -> Pair:
     """Return the pair on a line that one with all directions alike is along each of them. Raises InvalidScene."""
-    alike = pair.axes == 2 and pair.is_diagonal and pair.shape == "ellipsoid"
-    diagonals = [tuple(m[i][i] for i in range(pair.axes)) for m in (pair.a1, pair.a2)]
-    if not alike or any(len(set(one)) > 1 for one in (pair.m1, pair.m2, pair.b, *diagonals)):
+    numbers = pair.m1[0], pair.m2[0], pair.a2[0][0], pair.b[0], pair.a1[0][0]
+    if pair != PlanePair(*numbers):
         raise InvalidScene("only an isotropic pair has a closed form: two axes, ellipsoid, equal numbers on both")
-    return Pair(pair.m1[0], pair.m2[0], pair.a2[0][0], pair.b[0], pair.a1[0][0])
+    return Pair(*numbers)
 
 
 def load_margin(pair: Pair, amplitude: Fraction, omega: Fraction) -> Fraction:
@@ -135,11 +133,6 @@ def odd_ratio(pair: Pair, mass: Fraction, omega: Fraction) -> int | None:
     root = math.isqrt(ratio.numerator)
     is_odd = pair.a1 == 0 and ratio.denominator == 1 and root**2 == ratio and root % 2 == 1 and root >= 3
     return root if is_odd else None
-
-
-def flattest_peak(odd: int) -> arb:
-    """Return the least max |sin t + c sin(n t + phase)| over c and phase for an odd n >= 3: cos(pi/(2 n))."""
-    return (arb.pi() / (2 * odd)).cos()
 
 
 def edges(pair: Pair, omega: Fraction) -> tuple[arb, arb, arb]:

@@ -1,4 +1,4 @@
-"""From rest to rest over a distance D in the least time, by a force that acts on body 2 through friction only.
+"""From rest to rest over a distance D in the least time, or cheapest, by a force that acts on body 2 through friction.
 
 Friction gives body 2 at most beta = b/m2: no control arrives before 2 sqrt(m2 D/b). With tau = sqrt(m2 D/b), D > 0:
 
@@ -14,7 +14,7 @@ A margin E keeps the load of a stuck transfer at most (1 - E) b. The times of a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
 
@@ -25,20 +25,33 @@ from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.control.answers import (
     KEPT_DIGITS,
     TIME_DIGITS,
+    SlipsAgain,
     number,
     rounded,
     rounded_up,
+    solved_again,
 )
+from numerics.control.optimal import LeastEnergy, LeastPeak
 from numerics.control.thresholds import pushed
 from numerics.control.tracking import stuck_force
-from numerics.errors import InvalidScene
+from numerics.errors import InvalidScene, NotSettled
 from numerics.scene import Force, Pair, Piece, Scene
-from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits, short
+from numerics.scene.decimals import (
+    Exact,
+    decimal_text,
+    exact_decimal,
+    positive,
+    require_digits,
+    require_one_of,
+    short,
+)
 from numerics.scene.model import require_plain
 from numerics.scene.short_repr import ShortRepr
 
 _MET = Fraction(1, 10**20)
 """By this part the slip transfer stays inside the limits, so that the bodies meet and stick beyond doubt."""
+_CLOSE = 1e-12
+"""By this part at most what is proved to be the least may be below the cost of the force."""
 
 
 class TransferKind(Enum):
@@ -58,6 +71,9 @@ class TransferKind(Enum):
     OPEN = "open: the minimum time for this amplitude is not known"
 
 
+_FIND = {"energy": (TransferKind.CHEAPEST, LeastEnergy), "peak": (TransferKind.GENTLEST, LeastPeak)}
+
+
 @dataclass(frozen=True, repr=False)
 class Transfer(ShortRepr):
     """A transfer over `distance` (m): enclosures with `digits` right digits, and its force as a scene if there is one.
@@ -70,7 +86,7 @@ class Transfer(ShortRepr):
     part of some 10^-18. `is_at_limit`: whether friction is at its limit, or at the margin, at times.
     `holding_force`: a2 D, which holds the pair at its new place after that time, N; no part of the cost.
 
-    >>> from numerics import cheapest_transfer, load_scene
+    >>> from numerics import load_scene
     >>> found = fastest_transfer(load_scene("at-rest"), "0.01", margin="0.1", digits=8)
     >>> found.road.name, [one.str(6, radius=False) for one in (found.bound, found.time, found.stuck_amplitude)]
     ('STUCK', ['0.282843', '0.298142', '2.00000'])
@@ -140,6 +156,65 @@ def fastest_transfer(
         return answer, [one for one in (bound, stuck, least, time) if one is not None]
 
     return to_digits(attempt, max(digits, KEPT_DIGITS), max_digits)
+
+
+def cheapest_transfer(
+    scene: Scene,
+    distance: Exact,
+    time: Exact,
+    *,
+    least: str = "energy",
+    margin: Exact = 0,
+    digits: int = 15,
+    max_digits: int | None = None,
+) -> Transfer:
+    """Return the transfer of a scene's pair over a distance (m) in a time (s) that sticks and has the least int u^2 dt.
+
+    `least="peak"`: the least max |u| up to that time instead. The load is at most (1 - margin) b. Raises InvalidScene
+    (a time below the least one among others), NotSettled (no force was found), PrecisionExhausted, TypeError (no
+    scene), ValueError (digits).
+
+    >>> from numerics import load_scene
+    >>> found = cheapest_transfer(load_scene("at-rest"), "0.001", "0.2")
+    >>> found.cost.str(6, radius=False), found.is_at_limit, len(found.scene.force.pieces)
+    ('0.00408826', False, 3)
+    >>> cheapest_transfer(load_scene("at-rest"), "0.001", "0.2", least="peak").cost.str(6, radius=False)
+    '0.167016'
+    """
+    by, part = read_transfer("cheapest_transfer", scene, distance, margin, digits, max_digits)
+    pair, far, until = scene.pair, abs(by), positive(time, "time")
+    tight = replace(pair, b=(1 - part) * pair.b)
+    require_one_of("least", least, _FIND)
+    road, find = _FIND[least]
+
+    def attempt(_: Ball) -> tuple[Transfer, list[arb]]:
+        bound, fastest = (2 * number(one.m2 * far / one.b).sqrt() for one in (pair, tight))
+        if number(until) < fastest:
+            raise InvalidScene(
+                f"time = {decimal_text(until)} s must be at least 2 sqrt(m2 D/((1 - margin) b)) = "
+                f"{fastest.str(15, radius=False)} s, as no transfer that keeps the margin is faster; give more time, "
+                "or less distance or margin"
+            )
+        search = find(tight, far, until)
+        found = search.force()
+        cost, least_cost = search.bound(found)
+        if not cost - least_cost < cost * _CLOSE:
+            raise search.not_found
+        force = Force((*search.pieces(found), Piece(until, (pair.a2 * far,))))
+        at_limit = any(one.arc.side for one in found.parts)
+        planned = Scene(pair, scene.initial, until=until * 3 / 2, force=force if by > 0 else -force)
+        known = {"cost": cost, "least_cost": least_cost, "is_at_limit": at_limit, "holding_force": pair.a2 * by}
+        return Transfer(by, part, road, bound, number(until), planned, digits, **known), [cost, least_cost]
+
+    try:
+        found = to_digits(attempt, max(digits, KEPT_DIGITS), max_digits)
+        assert found.scene is not None
+        solved_again(replace(found, scene=replace(found.scene, pair=tight)))
+    except (NotSettled, SlipsAgain) as error:  # under the force of a search that fails friction may give way
+        end = pair.a2 * far - tight.b * pair.mass / pair.m2
+        needed = f"; with any time the end needs a peak of {short(end)} N" if least == "peak" and end > 0 else ""
+        raise NotSettled(f"{error}{needed}; give another time") from error
+    return found
 
 
 def read_transfer(

@@ -108,7 +108,7 @@ def test_where_more_time_brings_nothing_the_peak_that_the_end_needs_is_named(dis
         planned(FREE, distance, "0.76", least="peak")
 
 
-@pytest.mark.parametrize(("kind", "far"), [(LeastEnergy, "0.001"), (LeastEnergy, "1e-100"), (LeastPeak, "0.004")])
+@pytest.mark.parametrize(("kind", "far"), [(LeastEnergy, "0.001"), (LeastPeak, "0.004")])
 def test_the_bound_holds_for_wrong_forces_too_and_shows_them(kind, far):
     """What is proved does not rest on the search: another force, nu or mu has a bound that is true, and a gap."""
     with Ball(60).context():
@@ -141,5 +141,5 @@ def test_the_cost_is_that_of_the_decimals_of_the_force_to_all_digits_asked_for()
 
 def test_a_bound_that_is_not_close_is_not_given(monkeypatch):
     monkeypatch.setattr(LeastEnergy, "bound", lambda *_: (Ball.number(1), Ball.number(1 - Fraction(1, 10**9))))
-    with pytest.raises(NotSettled, match="no force of least energy was found"):
+    with pytest.raises(NotSettled, match="no cheapest force was found"):
         planned(FREE, "0.001", "0.2")

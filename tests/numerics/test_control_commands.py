@@ -12,25 +12,24 @@ from numerics.control.answers import SecondSolveDiffers, solved_again
 from numerics.scene.file import load_reference, load_scene, parse_scene
 
 RESPONSES = """
-damped 12     0.2 | entrained  | 0 | below U**  | 0.8330872604435
-damped 12     0.5 | stick-slip | 4 | below U**  | 0.8330872604435
-free   4.624  5   | stick-slip | 4 | below U**  | 11.7618566
-free   4.624 -15  | stick-slip | 6 | turns back | 11.7618566
-free   4.624  30  | non-stop   | 2 | yes        | 11.7618566
+damped 12     0.2 | entrained  | 0 | 0.8330872604435
+damped 12     0.5 | stick-slip | 4 | 0.8330872604435
+free   4.624 -15  | stick-slip | 6 | 11.7618566
+free   4.624  30  | non-stop   | 2 | 11.7618566
 """
-"""For the last two the relative velocity of the motion without stops keeps its sign from 28.5 N on only."""
+"""U** is not enough for the last but one: the relative velocity of the motion without stops keeps its sign from 28.5 N
+on only."""
 
 
 @pytest.mark.parametrize("row", RESPONSES.strip().splitlines())
 def test_response_tells_regime_thresholds_and_periodic_motion(tmp_path, output, record, row):
-    asked, regime, events, said, edge = (one.strip() for one in row.split("|"))
+    asked, regime, events, edge = (one.strip() for one in row.split("|"))
     pair, omega, amplitude = asked.split()
     (file := tmp_path / "scene.toml").write_text(scene_text(under({"free": FREE, "damped": DAMPED}[pair], 1, omega)))
     found, lines = (how("response", file, "--amplitude", amplitude) for how in (record, output))
-    assert (found["regime"], len(found["events"]), found["slips_for_ever"]) == (regime, int(events), said)
+    assert (found["regime"], len(found["events"])) == (regime, int(events))
     assert found["non_stop"].startswith(edge)
     assert f"U**, required for permanent slip with two reversals per period = {edge}" in lines
-    assert ("U** is not enough here" in lines) is (said == "turns back")
     assert (len(found["multipliers"]), lines.count("multiplier ")) == (3, 3)
     assert all(f"t = {one['t']} s: {one['to']}" in lines for one in found["events"])
 
@@ -53,17 +52,19 @@ def test_who_waits_sees_what_is_being_done(run, monkeypatch, on_terminal):
 PRINTED = """
 response forced-sine-stick-slip | stick-slip: the bodies slip and stick in every period
 track at-rest --reference s-curve | within b = 0.5 N
+track at-rest --reference too-fast | TOO MUCH by 0.0773502691896258 N (+/-
 move at-rest --distance 0.001 --amplitude 1.08 | slips of about 10^-20 m
-move at-rest --distance 0.01 | friction is at its limit to within 10^-18
 move at-rest --distance 0.001 --least energy --time 0.2 | # friction is below its limit
 ring velocities --radius 0.001 | stays inside the ring from t = 4.755641299
 """
 
 
 @pytest.mark.parametrize("line", PRINTED.strip().splitlines())
-def test_an_answer_is_printed_and_drawn(tmp_path, output, line):
+def test_an_answer_is_printed_and_drawn(tmp_path, run, line):
     words, said = line.split(" | ")
-    assert said in output(*words.split(), "--plot", tmp_path / "drawn.svg")
+    code, out, err = run(*words.split(), "--plot", tmp_path / "drawn.svg")
+    assert said in out
+    assert (code, err[:15]) == ((1, "error: no force") if "TOO MUCH" in said else (0, ""))
     assert (tmp_path / "drawn.svg").stat().st_size > 10_000
 
 
@@ -92,12 +93,10 @@ def test_move_writes_a_scene_that_arrives_and_says_what_holds_the_pair_then(
         assert (last.start, last.polynomial) == (Fraction("0.3"), (Fraction(holding),))
 
 
-def test_track_prints_the_scene_and_names_what_is_too_much(run, record):
+def test_track_prints_the_scene(record):
     found = record("track", "at-rest", "--reference", "s-curve")
     assert found["possible"]
     assert set(solve(parse_scene(found["scene"])).modes) == {Mode.STICK}
-    code, out, err = run("track", "at-rest", "--reference", "too-fast")
-    assert (code, "TOO MUCH by 0.0773502691896258 N (+/- " in out, err[:15]) == (1, True, "error: no force")
 
 
 @pytest.mark.parametrize(

@@ -6,13 +6,11 @@ import numpy as np
 import pytest
 from control_scenes import referred
 from flint import arb
-from hypothesis import example, given
-from hypothesis import strategies as st
 
 from numerics import Force, Pair, PrecisionExhausted, Scene, State, response
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.thresholds import edges, load_margin, thresholds
+from numerics.control.thresholds import edges, thresholds
 
 
 def test_resonances_are_exact():
@@ -57,16 +55,6 @@ def test_only_what_is_decided_exactly_is_infinite():
     for wrong in (arb.nan(), arb.pos_inf(), arb("0 +/- inf")):
         with pytest.raises(PrecisionExhausted):
             to_digits(lambda _, wrong=wrong: (None, [wrong]), 15, 100)
-
-
-@given(st.integers(1, 29), st.sampled_from([1, -1]))
-@example(20, 1)
-def test_the_edge_of_entrainment_is_decided_exactly(k, side):
-    """a1 = 0: U* is rational; on it the load touches b, above it by 10^-30 it does not hold."""
-    pair, omega = Pair(1, 1, 200, "0.5"), Fraction(k, 3)
-    edge = abs(pair.b / pair.m2 * (pair.a2 - 2 * omega**2) / omega**2)
-    assert load_margin(pair, edge, omega) == 0
-    assert load_margin(pair, edge + Fraction(side, 10**30), omega) * side < 0
 
 
 # the edge of the non-stop regime

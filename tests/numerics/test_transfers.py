@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from strategies import decimals, pairs
 
 from numerics import Pair, Scene, State, fastest_transfer
-from numerics.control.transfer import TransferKind
 
 
 def planned(distance, pair=FREE, **asked):
@@ -19,65 +18,45 @@ def planned(distance, pair=FREE, **asked):
     return fastest_transfer(Scene(pair, State(x2="0.25"), 1), distance, **asked)
 
 
-STUCK, SLIP, BANG, *_, OPEN = TransferKind
 AHEAD = Pair("4.2", "1.1", 87, "0.9")
+PAIRS = {"free": FREE, "damped": DAMPED, "ahead": AHEAD}
+ASKED = """
+free   0.01                  | STUCK | no force is faster: friction is at its limit
+damped -0.01                 | STUCK | no force is faster: friction is at its limit
+damped 0.01   margin=0.25    | STUCK | no force that keeps the margin is faster
+free   0.001  amplitude=1.08 | SLIP  | no force is faster: friction is at its limit
+damped 0.001  amplitude=1.12 | SLIP  | no force is faster: friction is at its limit
+free   -0.001 amplitude=0.5  | BANG_BANG | none can make the bodies slip
+free   0.0005 amplitude=0.8  | BANG_BANG | no force within the amplitude is faster: none can make the bodies slip
+free   0.0005 amplitude=0.85 | BANG_BANG | no force under which the bodies stick is faster; whether slip helps
+free   0.0005 amplitude=0.3 margin=0.2 | BANG_BANG | none can make the bodies slip
+free   0.01   amplitude=1.5  | OPEN | whether a slip arrives at the bound with less is open
+free   0.001  amplitude=1    | OPEN | no force arrives at the bound with less than 1.03496 N
+free   0.001  amplitude=0.999 | OPEN | at the limit needs 1.10000 N
+free   0.001  amplitude=0.999 margin=0.1  | OPEN | at the margin needs 1.00000 N
+free   0.001  amplitude=1.08 margin=0.01 | OPEN | whether both bodies can then be at rest is open
+ahead  0.079  amplitude=6.015 | OPEN | whether both bodies can then be at rest is open
+"""
+"""In the last but one enough to meet the bound by slipping, which takes friction to its limit, and too little to stick;
+in the last one holding takes more than a2 D = 6.873 N, as body 1 is ahead of body 2."""
 
 
-@pytest.mark.parametrize(
-    ("pair", "distance", "asked", "road"),
-    [
-        (FREE, "0.01", {}, STUCK),
-        (DAMPED, "-0.01", {}, STUCK),
-        (DAMPED, "0.01", {"margin": "0.25"}, STUCK),
-        (FREE, "0.001", {"amplitude": "1.08"}, SLIP),
-        (DAMPED, "0.001", {"amplitude": "1.12"}, SLIP),
-        (FREE, "-0.001", {"amplitude": "0.5"}, BANG),
-        (FREE, "0.0005", {"amplitude": "0.3", "margin": "0.2"}, BANG),
-    ],
-)
-def test_a_transfer_arrives_at_rest_by_the_reference(pair, distance, asked, road):
-    found = planned(distance, pair, **asked)
-    # the slip transfer stays 10^-20 inside its limits: that must not look like a tie
-    run = arrived(found, distance, digits=80)
-    assert (found.road, not run.events and run.mode == 0) == (road, road is not SLIP)
-
-
-AT_REST_IS_OPEN = "whether both bodies can then be at rest is open"
-
-
-@pytest.mark.parametrize(
-    ("distance", "asked", "road", "said"),
-    [
-        ("0.01", {}, STUCK, "no force is faster: friction is at its limit"),
-        ("0.01", {"margin": "0.1"}, STUCK, "no force that keeps the margin is faster"),
-        # g' < 0
-        ("0.01", {"amplitude": "1.5"}, OPEN, "whether a slip arrives at the bound with less is open"),
-        ("0.001", {"amplitude": 1}, OPEN, "no force arrives at the bound with less than 1.03496 N"),
-        ("0.001", {"amplitude": "0.999"}, OPEN, "at the limit needs 1.10000 N"),
-        ("0.001", {"amplitude": "0.999", "margin": "0.1"}, OPEN, "at the margin needs 1.00000 N"),
-        # enough to meet the bound by slipping, which takes friction to its limit, and too little to stick
-        ("0.001", {"amplitude": "1.08"}, SLIP, "no force is faster: friction is at its limit"),
-        ("0.001", {"amplitude": "1.08", "margin": "0.01"}, OPEN, AT_REST_IS_OPEN),
-        (
-            "0.0005",
-            {"amplitude": "0.8"},
-            BANG,
-            "no force within the amplitude is faster: none can make the bodies slip",
-        ),
-        ("0.0005", {"amplitude": "0.85"}, BANG, "no force under which the bodies stick is faster; whether slip helps"),
-        # holding takes more than a2 D = 6.873 N, as body 1 is ahead of body 2
-        ("0.079", {"pair": AHEAD, "amplitude": "6.015"}, OPEN, AT_REST_IS_OPEN),
-    ],
-)
-def test_what_is_proved_of_its_time_is_said(distance, asked, road, said):
-    found = planned(distance, **asked)
-    assert (found.road, found.scene is None, said in found.fastest) == (road, road is OPEN, True)
-    if road is BANG:
+@pytest.mark.parametrize("row", ASKED.strip().splitlines())
+def test_a_transfer_arrives_at_rest_by_the_reference_and_what_is_proved_of_its_time_is_said(row):
+    words, road, said = (one.strip() for one in row.split("|"))
+    name, distance, *given = words.split()
+    asked = dict(one.split("=") for one in given)
+    found = planned(distance, PAIRS[name], **asked)
+    assert (found.road.name, found.scene is None, said in found.fastest) == (road, road == "OPEN", True)
+    if found.scene is not None:
+        # the slip transfer stays 10^-20 inside its limits: that must not look like a tie
+        run = arrived(found, distance, digits=80)
+        assert (not run.events and run.mode == 0) is (road != "SLIP")
+        assert ("margin" in asked) <= (found.time > planned(distance, PAIRS[name]).time)
+    if road == "BANG_BANG":
         # the contact holds for every control up to the time T of the transfer if U (2 - cos(Omega T)) <= b M/m2 = 1 N
         needed = float(asked["amplitude"]) * (2 - math.cos(10 * float(found.time)))
         assert (needed <= 1) == found.fastest.startswith("no force within")
-    if "margin" in asked and found.time is not None:
-        assert found.time > planned(distance).time
 
 
 @given(pairs(damped=None), decimals(-3, -1, 2), st.integers(1, 19))
