@@ -22,6 +22,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+import flint
 from flint import arb, arb_mat, arb_poly
 
 from numerics.arithmetic.ball import exact_middle, working_digits
@@ -259,6 +260,56 @@ class LeastPeak(LeastEnergy):
         found = search.arrive(*search.start(), _NO_LIMIT)
         return found.q, found.r
 
+    def force(self) -> Motion:
+        """Return the motion that waits, where more time brings nothing; else the one that is searched for."""
+        return self.waiting() or super().force()
+
+    def waiting(self) -> Motion | None:
+        """Return a motion whose peak its end alone needs, after a wait; None where T or D is too small for this one.
+
+        It accelerates by beta, keeps u/M = P if it gets there, brakes by beta until u/M has risen to P once more, where
+        v = c beta/k, and comes to rest under P = k D - beta exp(-2 psi tan psi), sin psi = c/(2 sqrt(k)).
+        """
+        c, k, beta = self.c, self.k, self.limit
+        speed, swing, peak = c * beta / k, (k - c * c / 4).sqrt(), self.least_at_end(beta)
+        place, rest = (peak + beta - c * speed) / k, 2 * (c / (2 * k.sqrt())).asin() / swing
+        turn, fast = beta * place + speed * speed / 2, ((c * c + 2 * k * (peak / beta - 1)).sqrt() - c) * beta / k
+        x, v, kept = turn / (2 * beta), turn.sqrt(), arb(0)
+        if not v <= fast:
+            if not fast > 0:
+                return None
+            flow, begin = arb_mat([[0, 1], [-k, -c]]), arb_mat([[fast * fast / (2 * beta) - peak / k], [fast]])
+
+            def at(t: arb) -> tuple[arb, arb]:
+                y, v = ((flow * t).exp() * begin).entries()
+                return y + peak / k, v
+
+            low, kept = arb(0), (arb.pi() / swing).mid()
+            for _ in range(flint.ctx.prec):
+                x, v = at(middle := ((low + kept) / 2).mid())
+                goes_on = v * v + 2 * beta * x < 2 * turn and peak - c * v - k * x > -beta
+                low, kept = (middle, kept) if goes_on else (low, middle)
+            x, v = at(kept)
+            if not v * v + 2 * beta * x > 2 * turn * number(1 - LITTLE**2):
+                return None
+        fast = fast.min(v)
+        rising, falling = [beta, c * beta, k * beta / 2], [c * v + k * x - beta, k * v - c * beta, -k * beta / 2]
+        arcs = (fast / beta, rising, 1), (kept, [peak], 0), ((v - speed) / beta, falling, -1), (rest, [peak], 0)
+        start, nothing = (self.T - sum((time for time, *_ in arcs), arb(0))).mid(), arb_poly([])
+        if not start >= 0:
+            return None
+        parts = [Part(arb(0), nothing, nothing, Arc(1, 0))]
+        for time, u, side in arcs:
+            if time > 0:
+                parts.append(Part(start, arb_poly(u), nothing, Arc(1, side)))
+            start = (start + time).mid()
+        return Motion(peak, arb(0), parts, [self.far, arb(0), arb(0), arb(0)], beta)
+
+    def least_at_end(self, beta: arb) -> arb:
+        """Return the least max u/M at the end of a long time, |a| <= beta; no number if c^2 >= 4 k."""
+        angle = (self.c / (2 * self.k.sqrt())).asin()
+        return self.k * self.far - beta * (-2 * angle * angle.tan()).exp()
+
     def sign(self, q: arb) -> int:
         """Return that of -q."""
         return -1 if q > 0 else 1
@@ -279,9 +330,10 @@ class LeastPeak(LeastEnergy):
         return self.mass * peak
 
     def from_below(self, gain: arb, found: Motion) -> arb:
-        """Return gain/int |w|."""
+        """Return gain/int |w|; of a motion that waits, what the end alone needs."""
         parts = [(part.w, 0 if part.arc.side else part.arc.sign, length) for _, length, part in self.lengths(found)]
-        return self.mass * gain / sum((self.total(*one) for one in parts), arb(0))
+        weight = sum((self.total(*one) for one in parts), arb(0))
+        return self.mass * (gain / weight if weight > 0 else self.least_at_end(number(self.most)))
 
 
 def _at(columns: list[arb_poly], t: arb) -> arb_mat:
