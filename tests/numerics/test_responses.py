@@ -86,8 +86,8 @@ def test_a_load_above_the_limit_for_a_ten_thousandth_of_a_period_is_seen():
         # beside it no other motion sticks for ever
         (FREE, "0.75", 20, "ENTRAINED", False, "permanently; its load touches the limit"),
         (Pair(1, 1, 68, "0.5", 5), "0.5", 4, "ENTRAINED", True, "every motion tends to it, and sticks"),
-        (Pair(1, 1, 68, "0.5", 12), "1.875", 4, "ENTRAINED", False, "every motion"),  # Z = |36 + 48 i| = 60
-        (Pair(1, 1, 68, "0.5", 12), "1.8750000000001", 4, "STICK_SLIP", True, "every motion"),
+        (Pair(1, 2, 84, "0.5", 12), "0.9375", 4, "ENTRAINED", False, "every motion"),  # Z = |36 + 48 i| = 60
+        (Pair(1, 2, 84, "0.5", 12), "0.9375000000001", 4, "STICK_SLIP", True, "every motion"),
         (Pair(1, 1, 100, "0.5"), "0.6", 10, "STICK_SLIP", True, ""),
         (Pair(1, 1, 100, "0.5"), "0.8", 10, "GROWS", False, "every motion grows"),
     ],
