@@ -1,7 +1,6 @@
 """Periodic motions: by independent references; their regime, their multipliers, and what is said of all others."""
 
 from contextlib import suppress
-from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -12,7 +11,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from strategies import decimals, fewer, sine_scenes
 
-from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, Weakening, response, solve
+from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, response, solve
 from numerics.arithmetic.ball import Ball
 from numerics.control.response import Regime, Response, attraction_of
 
@@ -48,24 +47,6 @@ def test_a_weak_force_at_resonance_keeps_the_pair_next_to_its_critical_orbit(m1,
     found = response(under(Pair(m1, m2, (m1 + m2) * (omega / off) ** 2, 1), share, omega), digits=12)
     assert found.regime is Regime.STICK_SLIP
     comes_back(found, 11)
-
-
-def returned(scene: Scene, by: np.ndarray) -> np.ndarray:
-    """(x1, v1, v2) after a scene by the other integrator; its start moved."""
-    at = scene.initial
-    x1, v1, v2 = (Fraction(move) + one for move, one in zip(by, (at.x1, at.v1, at.v2), strict=True))
-    end = referred(replace(scene, initial=State(x1, v1, 0, v2), friction=Friction((), Weakening())))
-    return np.array([float(one) for one in (end.x1, end.v1, end.v2)])
-
-
-@pytest.mark.parametrize("case", [(DAMPED, "0.5"), (DAMPED, "1.5"), (FREE, "0.4"), (FREE, "0.6")])
-def test_multipliers_are_those_of_the_other_integrator(case):
-    """Central differences of the period map."""
-    found, step = answer(*case), 1e-5
-    scene = found.one_period()
-    columns = [(returned(scene, step * e) - returned(scene, -step * e)) / (2 * step) for e in np.eye(3)]
-    expected = sorted(abs(np.linalg.eigvals(np.array(columns).T)))
-    assert sorted(float(abs(one).mid()) for one in found.multipliers) == pytest.approx(expected, abs=2e-5)
 
 
 # which regime, and what is said of it

@@ -29,9 +29,7 @@ from numerics.control.ring import Settled, periodic_settled
 from numerics.trajectory.run import run_scene
 
 CASES = [
-    (load_scene("velocities"), "0.001", 1),
     (load_scene("velocities"), "0.001", 20),
-    (load_scene("start-with-speed"), "0.005", 1),
     (load_scene("itinerary-that-merges"), "0.001", 1),
     *(
         (Scene(DAMPED, State(v1=1), 5, force=force), "0.005", 1)
