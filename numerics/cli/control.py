@@ -141,7 +141,7 @@ def _plan(options: argparse.Namespace, found: Any, shown: Shown, otherwise: str)
     from numerics.scene.file import scene_text
 
     solved, (record, lines) = solved_again(found), shown
-    if solved is not None or "demands" in record:
+    if solved is not None:
         draw(options, "draw_plan", found, solved)
     text = "" if found.scene is None else scene_text(found.scene)
     if text and options.out is None:

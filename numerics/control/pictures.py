@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -17,7 +17,6 @@ from matplotlib.ticker import LogLocator
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.thresholds import edges
-from numerics.control.tracking import Demand
 from numerics.scene import Pair
 from numerics.solver.solve import solve
 from numerics.trajectory.curve import sampled
@@ -69,18 +68,16 @@ def draw_response(found: Any) -> Figure:
 
 
 def draw_rotating(found: Any) -> Figure:
-    """Return the circles of both bodies, each about its own centre, and of their velocities; u starts along x."""
-    figure, panels = _panels(10, 5.5, 1, 2)
-    turn = np.exp(1j * np.linspace(0, 2 * np.pi, _POINTS))
-    above, speeds = ("Both bodies from above", "m", 1j * float(found.omega)), ("Their velocities", "m/s", 1)
-    for ax, (title, unit, rate) in zip(panels, (above, speeds), strict=True):
-        for v, style in ((found.v1, FIRST), (found.v2, SECOND)):
-            circle = complex(v) / rate * turn
-            draw_path(ax, circle.real, circle.imag, np.zeros(1), **style)
-        ax.set(title=title, xlabel=f"x ({unit})", ylabel=f"y ({unit})", aspect="equal")
-        ax.locator_params(nbins=5)
+    """Return the circles of both bodies, each about its own centre; u starts along x."""
+    figure, ax = _panels(6, 6.5, 1)
+    turn = np.exp(1j * np.linspace(0, 2 * np.pi, _POINTS)) / (1j * float(found.omega))
+    for v, style in ((found.v1, FIRST), (found.v2, SECOND)):
+        circle = complex(v) * turn
+        draw_path(ax, circle.real, circle.imag, np.zeros(1), **style)
+    ax.set(title="Both bodies from above", xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    ax.locator_params(nbins=5)
     explain_below(figure)
-    figure.suptitle(found.sentence)
+    figure.suptitle(fill(found.sentence, 60))
     return figure
 
 
@@ -109,10 +106,8 @@ def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
     return ax
 
 
-def draw_plan(found: Any, solved: Trajectory | None) -> Figure:
-    """Return the solved scene of a Transfer or a Tracking; without one what a reference asks of friction."""
-    if solved is None:
-        return _draw_demands(found.demands)
+def draw_plan(found: Any, solved: Trajectory) -> Figure:
+    """Return the solved scene of a Transfer or a Tracking."""
     curve, times = sampled(solved), {name: getattr(found, name, None) for name in ("bound", "time")}
     apart = abs(curve.y[1] - curve.y[3])
     curve = curve._replace(stick=apart <= _TOGETHER * abs(curve.y[1]).max())
@@ -125,17 +120,6 @@ def draw_plan(found: Any, solved: Trajectory | None) -> Figure:
         for time, style in zip(times.values(), ("--", ":"), strict=True):
             if time is not None:
                 ax.axvline(float(time), color="black", lw=0.8, ls=style)
-    return figure
-
-
-def _draw_demands(demands: Sequence[Demand]) -> Figure:
-    """Return the most friction that each piece of a reference requires, beside what there is."""
-    figure, ax = _panels(8, 4.4, 1)
-    for one in demands:
-        t = float(one.start), float(one.end)
-        ax.fill_between(t, 0, float(one.b), color=GREEN, alpha=0.2, lw=0)
-        ax.plot(t, [float(one.force)] * 2, color=GREEN, ls="-" if one.possible else "--")
-    ax.set(xlabel="t (s)", ylabel="friction (N)", title="Most friction required; dashed: more than there is (shaded)")
     return figure
 
 

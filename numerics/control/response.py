@@ -169,23 +169,15 @@ def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
         if len(asked) < 2:
             raise InvalidScene("the scene has no force; add [[force]] with one sine, or give amplitude and omega")
         scene = replace(scene, force=Force.sine(**asked))
-    drive = steady_drive(scene)
+    scene.require_filippov("a response")
+    drive = last_drive(scene)
+    if drive is None or not drive.piece.sines:
+        raise InvalidScene("the last piece of the force is not periodic; it must be sines and at most a constant")
     if not asked:
         return drive
     if len(drive.piece.sines) != 1:
         raise InvalidScene("amplitude and omega replace those of one sine; the last piece of this force has more")
     return replace(drive, piece=replace(drive.piece, sines=(replace(drive.piece.sines[0], **asked),)))
-
-
-def steady_drive(scene: Scene) -> PeriodicDrive:
-    """Return what acts in the long run. Raises InvalidScene unless that is a constant and sines."""
-    scene.require_filippov("a response")
-    drive = last_drive(scene)
-    if drive is None or not drive.piece.sines:
-        raise InvalidScene(
-            "the last piece of the force is not periodic; for a response it must be sines and at most a constant"
-        )
-    return drive
 
 
 def last_drive(scene: Scene) -> PeriodicDrive | None:

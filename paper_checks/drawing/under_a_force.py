@@ -83,7 +83,9 @@ def _draw_third_root(ax: Axes) -> None:
 def fastest_transfer_figure() -> Figure:
     """Draw the fastest transfer over 1 mm with a force of at most 1.08 N: body 1 runs ahead, and is met at half time."""
     found = fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08")
-    return draw_plan(found, solved_again(found))
+    solved = solved_again(found)
+    assert solved is not None
+    return draw_plan(found, solved)
 
 
 def tolerance_ring_of_a_scene() -> Figure:

@@ -101,11 +101,18 @@ def test_a_margin_costs_more_and_the_least_time_of_every_transfer_is_what_it_was
         planned(FREE, "0.01", "0.3", margin="0.2")
 
 
-@pytest.mark.parametrize(("distance", "peak"), [("0.01", 1), ("0.05", 9)])
-def test_where_more_time_brings_nothing_the_peak_that_the_end_needs_is_named(distance, peak):
-    assert least_peak(FREE, float(distance), 0.76) == pytest.approx(peak, rel=1e-3)
+@pytest.mark.parametrize(
+    ("pair", "distance", "time", "peak"),
+    [
+        (FREE, "0.01", "0.76", 1),
+        # a motion is found, whose force is above its peak where friction is at its limit
+        (Pair("0.127", "0.564", "133.87", "0.691"), "0.0123827", "0.34355", 0.811075),
+    ],
+)
+def test_where_more_time_brings_nothing_the_peak_that_the_end_needs_is_named(pair, distance, time, peak):
+    assert least_peak(pair, float(distance), float(time)) == pytest.approx(peak, rel=1e-3)
     with pytest.raises(NotSettled, match=f"with any time the end needs a peak of {peak} N"):
-        planned(FREE, distance, "0.76", least="peak")
+        planned(pair, distance, time, least="peak")
 
 
 @pytest.mark.parametrize(("kind", "far"), [(LeastEnergy, "0.001"), (LeastPeak, "0.004")])
