@@ -228,7 +228,7 @@ REFUSED = """
 solve velocities --digits 500 --max-digits 100 | --max-digits
 solve velocities --max-events 2 | --max-events = 2, t = 0.
 energy start-with-speed --at 1e50 --max-steps 3 | --max-steps
-move at-rest --distance 0.01 --least peak --time 0.9 | the end needs a peak of 1 N
+move at-rest --distance 0.0075 --least peak --time 0.9 | the end needs a peak of 0.5 N
 """
 
 
