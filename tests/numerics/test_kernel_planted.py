@@ -65,7 +65,7 @@ def test_who_begins_within_the_errors_keeps_within_the_bounds_which_are_sharp(dr
 @pytest.mark.parametrize("side", [1, -1])
 def test_a_belt_may_have_given_other_power_until_a_late_contact(side):
     """Until then it gives 1 W, from then on 0.1 W."""
-    scene = Scene(Pair(1, "inf", 1, 1), State(v1="0.9"), "0.11", belt=Signal.constant(1))
+    scene = Scene(Pair(1, "inf", 1, 1), State(v1="0.9"), "0.115", belt=Signal.constant(1))
     by = (0, Fraction(side, 1000), 0, 0)
     assert quotients(run(scene, by), run(moved(scene, by))).max() <= 1
 
