@@ -103,7 +103,7 @@ def _require_scale(pair: Pair) -> None:
     sizes = {"m1": pair.m1, "m2": pair.m2, "a2": pair.a2, "L": pair.half_width if pair.a2 and pair.b else 0}
     for name, value in sizes.items():
         if value not in {0, math.inf} and not LEAST < value < MOST:
-            raise OutOfRange.of(f"{name} of this pair, {short(value)},", "float64", LEAST, MOST)
+            raise OutOfRange.of(f"{name} of this pair, {short(Fraction(value))},", "float64", LEAST, MOST)
 
 
 @lru_cache(maxsize=128)
