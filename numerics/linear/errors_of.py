@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.linear.ledger import TINY
 from numerics.linear.record import AT
 
 _EVENT, _PIECE, _LOCAL, _X1, _LATE = (AT[name] for name in ("event", "piece", "local", "x1", "late"))
@@ -15,8 +16,6 @@ _EVENTS = AT["events"]
 _ERRORS = AT["x1_error"]
 JUDGED = ("times", "positions", "velocities", "energy", "energy excess")
 """What errors are told of."""
-_TINY = 2.0**-1060
-"""More than squares can lose below the normal numbers."""
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -52,7 +51,7 @@ def errors_of(
             late = max(late, relative(row[_LATE] + 4 * rounding * t, t))
     energy = 8 * rounding * last
     if end[_X1] != 0 or end[_X1 + 1] != 0 or end[_X1 + 3] != 0:
-        energy += _TINY
+        energy += TINY
     for k, weight in ((0, weights[0]), (1, weights[1]), (3, weights[2])):
         error = end[_ERRORS + k]
         energy += weight * error * (abs(end[_X1 + k]) + error / 2)

@@ -35,7 +35,7 @@ from numerics.linear.resolve import (
 )
 from numerics.linear.resolve import UNDECIDED as UNDECIDED_MODE
 from numerics.linear.room import Now, Problem, Run, enter, form_z, place_of, run_of
-from numerics.linear.table import STATE, UNIT
+from numerics.linear.table import OF_V1, OF_V2, STATE, UNIT
 
 GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
 """How a call ended, if it did: the first five as in record.How; or more steps are needed."""
@@ -44,6 +44,8 @@ _MODE, _ORDER, _EVENT, _JUMP, _PIECE, _CELL = (AT[name] for name in CODES)
 _LOCAL, _REST, _LENGTH = (AT[name] for name in ("local", "local_rest", "length"))
 _X1, _LATE, _ERRORS = (AT[name] for name in ("x1", "late", "x1_error"))
 _HOW, _EVENTS = AT["how"], AT["events"]
+_LARGEST = 1e150
+"""Squares of numbers up to this one are floats, energies among them."""
 
 
 class Log(NamedTuple):
@@ -120,12 +122,14 @@ def begin(run: Run, start: Any) -> tuple[Now, StepEnd]:
 @compilable
 def arrive(run: Run, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[Now, StepEnd, int]:
     """Return where the run is at the end of a step, what happens there, and how it ends there if it does."""
-    y, nothing = run.y, StepEnd(NOTHING, 0.0)
-    if not abs(y[0]) + abs(y[1]) + abs(y[2]) + abs(y[3]) + now.N < 1e300:
+    y, norm, nothing = run.y, run.norm, StepEnd(NOTHING, 0.0)
+    size = norm.root_a2 * abs(y[0]) + norm.root_m1 * abs(y[1]) + norm.root_m2 * abs(y[3]) + now.N
+    if not (size < _LARGEST and abs(y[0]) + abs(y[2]) + abs(y[3]) < _LARGEST):
         return now, nothing, OUT_OF_RANGE
     if ahead.how == ROOT:
         h = run.tables.steps[place_of(run, now)]
         now, event = arrived(run, now, ahead)
+        # of an end of a cell also where a contact may have come before it: then x1 - x2 turns next to it
         is_near = ahead.alone * h < 16.0 * now.late or (step.end - ahead.s) * h < 4.0 * now.late
         return now, event, DOUBT if is_near or run.tables.steep[0] * now.late > 0.25 else GOES_ON
     if not step.is_last or ahead.s != step.end:
@@ -177,12 +181,12 @@ def write(run: Run, row: Any, now: Now, late: float) -> None:
     x1 = min(now.N / norm.root_a2, now.far) if norm.root_a2 > 0.0 else now.far
     v1, v2, far = now.N / norm.root_m1, now.N / norm.root_m2 if norm.root_m2 > 0.0 else 0.0, 0.0
     if norm.root_m2 == 0.0:  # the velocity of the belt, rounded, at a time that is rounded
-        rounded = fastest(run, now, 1, 0.0) * abs(run.clock[0, 0])
+        rounded = fastest(run, now, OF_V2, 0.0) * abs(run.clock[0, 0])
         v2 = UNIT * (8.0 * run.size[V2] + 2.0 * rounded)
     elif now.mode == 0:  # both velocities are off by the same
         v1 = v2 = now.N / math.sqrt(norm.root_m1 * norm.root_m1 + norm.root_m2 * norm.root_m2)
     if late > 0.0:
-        one, two = fastest(run, now, 0, late), fastest(run, now, 1, late)
+        one, two = fastest(run, now, OF_V1, late), fastest(run, now, OF_V2, late)
         v1 = v2 = min(v1 + one * late, v2 + two * late) + abs(y[1] - y[3])
         far = (abs(y[1]) + one * late) * late
     row[_ERRORS], row[_ERRORS + 1], row[_ERRORS + 2], row[_ERRORS + 3] = (

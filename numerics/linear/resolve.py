@@ -12,7 +12,7 @@ from numerics.linear.evolve import parting
 from numerics.linear.model import AHEAD, CEILING, EDGE, FLOOR, KINETIC, SLIP, STICK, V1, V2, X1, X2
 from numerics.linear.next_event import Next
 from numerics.linear.room import Now, Run, dot, load_off, meeting, place_of, size_of
-from numerics.linear.table import GUARDS, OTHERS, RATES, SIGNED, UNIT
+from numerics.linear.table import GUARDS, OF_V1, OTHERS, RATES, SIGNED, UNIT
 
 NOTHING, PIECE, CONTACT, SLIP_END, EXIT, NEXT_CELL = 0, 1, 2, 3, 4, 5
 """At the end of a step: the mode goes on; it does so in a new piece, or in a run whose mode is known; bodies that are
@@ -93,7 +93,7 @@ def resolve(run: Run, now: Now, event: StepEnd) -> Now:
         mode = UNDECIDED if abs(gap) <= off or len(run.tables.ends) > 1 else 1 if gap > 0.0 else -1
     elif event.kind in (CONTACT, SLIP_END):
         mode = mode_after(run, now, (one, two), event.late)
-        if event.kind == SLIP_END and (mode == now.mode or is_at_end(run, now)):
+        if event.kind == SLIP_END and mode == now.mode:
             mode = UNDECIDED
         order = 1 if mode != 0 else 0
     late = event.late if mode != now.mode or event.kind == EXIT else now.late
@@ -104,24 +104,12 @@ def resolve(run: Run, now: Now, event: StepEnd) -> Now:
 
 
 @compilable
-def is_at_end(run: Run, now: Now) -> bool:
-    """Return whether x1 - x2 may be where two cells at v1 = v2 meet."""
-    ends, y, (below, _, above) = run.tables.ends, run.y, run.tables.meets[now.cell]
-    apart, off = y[0] - y[2], 2.0 * now.apart + 8.0 * UNIT * (abs(y[0]) + abs(y[2]))
-    return bool(ends[above, AHEAD] - apart < off or ends[below, AHEAD] + apart < off)
-
-
-@compilable
 def mode_after(run: Run, now: Now, values: tuple[float, float], late: float) -> int:
     """Return the mode that follows where v1 = v2 within `late` of now, from the values of the guards of stick."""
     if run.literal:
         return 0
     tables, kind = run.tables, meeting(run, now.piece, now.cell, 0)
-    at_edge, fast = 0, 0.0
-    for mode in range(first_mode(run), 2):
-        at = meeting(run, now.piece, now.cell, mode), SLIP if mode != 0 else STICK
-        for row in (RATES, RATES + 1):
-            fast = max(fast, most_of(run, at, tables.lines[at][row], late))
+    at_edge, fast = 0, max(fastest(run, now, 0, late), fastest(run, now, 1, late))
     for g in range(2):
         off = load_off(run, kind, now) + 32.0 * UNIT * size_of(tables.lines[kind, STICK, GUARDS + g], run.size)
         off += 1.25 * late * fast
@@ -129,12 +117,6 @@ def mode_after(run: Run, now: Now, values: tuple[float, float], late: float) -> 
             return 1 - 2 * g
         at_edge += 0 if values[g] > off else 1
     return UNDECIDED if at_edge > 0 else 0
-
-
-@compilable
-def first_mode(run: Run) -> int:
-    """Return the first of the modes that differ for either sign of b: one cell serves both slips."""
-    return -1 if len(run.tables.ends) > 1 else 0
 
 
 @compilable
@@ -161,11 +143,11 @@ def most_of(run: Run, at: tuple[int, int], row: Any, late: float) -> float:
 
 
 @compilable
-def fastest(run: Run, now: Now, body: int, late: float) -> float:
-    """Return the greatest |v1'| (body 0) or |v2'| (body 1) of any mode within `late` of where a run is."""
-    place, most = V2 if body == 1 else V1, 0.0
-    for mode in range(first_mode(run), 2):
+def fastest(run: Run, now: Now, rate: int, late: float) -> float:
+    """Return the greatest of one of the RATES in any mode within `late` of where a run is."""
+    most = 0.0
+    for mode in range(-1 if len(run.tables.ends) > 1 else 0, 2):  # one cell serves both slips
         at = meeting(run, now.piece, now.cell, mode), SLIP if mode != 0 else STICK
-        if mode != 0 or run.literal:  # else stick's is between those of the slips
-            most = max(most, most_of(run, at, run.tables.A[at][place], late))
+        if mode != 0 or run.literal or rate < OF_V1:  # else stick's is between those of the slips
+            most = max(most, most_of(run, at, run.tables.lines[at][RATES + rate], late))
     return most

@@ -28,8 +28,9 @@ STATE = 4
 """So many rows are those of x1, v1, x2 and v2; the guards stand behind them."""
 
 
-LINES = 66
-SIGNED, GUARDS, OTHERS, RATES, FLOW, OWN, SUMS, POWERS = 0, 1, 3, 7, 9, 13, 22, 54
+LINES = 68
+SIGNED, GUARDS, OTHERS, RATES, FLOW, OWN, SUMS, POWERS = 0, 1, 3, 7, 11, 15, 24, 56
+OF_V1, OF_V2 = 2, 3
 """Where rows of each kind begin in Tables.lines."""
 
 
@@ -48,7 +49,7 @@ class Tables(NamedTuple):
     """(kinds, 2, n, n)"""
     lines: Any
     """(kinds, 2, LINES, n) rows of z: SIGNED 1 in the block of b, which changes its sign with that of a slip, else 0;
-    GUARDS (2) those of stick; OTHERS (4) LOAD, EDGE, KINETIC, DRIVEN; RATES (2) the derivatives of the guards of stick;
+    GUARDS (2) those of stick; OTHERS (4) LOAD, EDGE, KINETIC, DRIVEN; RATES (4) derivatives of these guards, v1 and v2;
     FLOW (4) the state at the end of a step; OWN (3, 3) what rounding and truncation do to the state in N, of x1 and of
     x2, by a whole step and by a part of it, the latter at the start and at the end; SUMS (2, ORDERS, 2) what they do to
     a guard without its first p coefficients, in roundings: at the start of a step, and at its end; POWERS (6, 2) what
@@ -156,6 +157,7 @@ def form_mode(
             for i in range(n):
                 rate += lines[GUARDS + g, i] * A[i, j]
             lines[RATES + g, j] = rate
+        lines[RATES + OF_V1, j], lines[RATES + OF_V2, j] = A[V1, j], A[V2, j]
     if mode == STICK:
         tables.steps[kind, 2] = shrinking(lines[FLOW:OWN], norm)
 

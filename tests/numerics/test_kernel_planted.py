@@ -62,6 +62,14 @@ def test_who_begins_within_the_errors_keeps_within_the_bounds_which_are_sharp(dr
     assert (largest[:9] > SHARP).all()
 
 
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_belt_may_have_given_other_power_until_a_late_contact(side):
+    """Until then it gives 1 W, from then on 0.1 W."""
+    scene = Scene(Pair(1, "inf", 1, 1), State(v1="0.9"), "0.115", belt=Signal.constant(1))
+    by = (0, Fraction(side, 1000), 0, 0)
+    assert quotients(run(scene, by), run(moved(scene, by))).max() <= 1
+
+
 def border(random, scene, place):
     """By how much a number of the start may be moved before other modes follow, bisected; None if none do within 3."""
     modes, way = run(scene).modes, random.choice([-1, 1]) * np.eye(4)[place]
@@ -132,6 +140,7 @@ WAVES = [(0.7, 3.301927, 0.0, 0.4), (0.7, 3.3, 0.05, 0.0), (2.0, 0.4, 0.3, 0.0, 
 WAVES += [(*WAVES[0], LINE)]
 CALM = [held("0.2"), *(steady(0.999999, *one) for one in WAVES)]
 LOUD = [held("0.49"), *(steady(1.0005, *one) for one in WAVES)]
+LOUD += [Scene(Pair(1, 2, 200, "0.5"), State("-0.00075"), 8, force_2=Force.constant("0.3"))]  # the load is 0 at first
 LOUD += [from_rest("1e-5", [0, 0, 0, "1e-9"]), from_rest("0.5", [], [Sine("0.01", 1)])]  # a resonance
 LOUD += [from_rest("0.5", [0, 0, half]) for half in ("0.25", "-0.25")]
 
