@@ -150,7 +150,7 @@ class EnclosedRun(EnclosedPath):
             if self.kept > 0:
                 order = 1
             else:
-                bend = -Expansion(flow, z, arb(0)).guard(root.guard.row).polynomial[1] * kappa * kappa
+                bend = -Expansion(flow, z, arb(0)).guards()[root.guard.row].polynomial[1] * kappa * kappa
                 if not bend > 0:
                     raise self.undecided(at)
                 # where the load is not quite b, the slip starts a little later than here

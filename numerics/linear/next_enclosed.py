@@ -80,7 +80,7 @@ def next_event(path: EnclosedPath, at: At) -> tuple[At, Root | None]:
         if local - at.local < local * arb((1, _RESOLVED - path.bits)):
             raise path.undecided(at)  # so short a step is in the rounding of time
         at, ready = path.evolved(at, local), ready + 1
-    curves = curves_of(path, at, path.motion(at).short(flow.reach))
+    curves = curves_of(path, at, path.motion(at).guards(flow.reach))
     if not all(one.polynomial[0] > one.margin / _NEAR for one in curves):
         raise path.undecided(at)  # more digits lead closer to the root
     raise OutOfRange(
@@ -100,7 +100,7 @@ def curves_of(path: EnclosedPath, at: At, guards: Sequence[Polynomial]) -> list[
         margin, nearer = path.margin(at), int(not guards[0].polynomial[0].mid() < guards[1].polynomial[0].mid())
         orders = [at.orders[0] * (which == nearer) for which in range(2)]
         return [
-            Curve(*guards[which], margin=flow.apart(which, order) * norm if order else margin, order=order, row=which)
+            Curve(*guards[which], margin=flow.apart[which][order] * norm if order else margin, order=order, row=which)
             for which, order in enumerate(orders)
         ]
     place = at.place + path.kappa * norm * flow.reach if path.varies else at.place
@@ -108,7 +108,7 @@ def curves_of(path: EnclosedPath, at: At, guards: Sequence[Polynomial]) -> list[
     found = []
     for kind, sign, offset in ends:
         row, order = int(kind == AHEAD), 0 if kind == AHEAD else at.orders[kind]
-        (p, rest, terms), margin = guards[row], place if row else flow.apart(0, order) * norm
+        (p, rest, terms), margin = guards[row], place if row else flow.apart[0][order] * norm
         found.append(Curve(p * sign + number(offset), rest, terms, margin, order, row, kind))
     if may_vanish and path.varies:
         branch = cells.branch(path.pieces[at.piece], side, at.cell)
@@ -123,7 +123,7 @@ def short_step(path: EnclosedPath, at: At, reach: arb) -> Clear:
     motion, begins = path.motion(at), any(at.orders)
     for bits in (_SCAN_BITS, min(path.bits, _SHARP_BITS)) if max(at.orders) < MARGINAL else ():
         with precision(bits):
-            guards = motion.short(reach)
+            guards = motion.guards(reach)
             later = curves_of(path, at._replace(orders=AWAY), guards)
             first = curves_of(path, at, guards) if begins else later
             fine = min(bits, _FINEST)
@@ -153,7 +153,7 @@ def long_step(path: EnclosedPath, at: At, left: arb) -> Clear | None:
 def slow_curves(path: EnclosedPath, at: At, *limits: arb) -> Iterator[list[Curve]]:
     """Yield the guards as polynomials with terms of rates below a limit; margins have the amplitude of the others."""
     motion, sign = path.motion(at), at.mode or 1
-    swings, guards = Swings(motion.flow, motion.z), curves_of(path, at, motion.short(motion.flow.reach))
+    swings, guards = Swings(motion.flow, motion.z), curves_of(path, at, motion.guards(motion.flow.reach))
     for limit in limits:
         found = []
         for one in guards:
@@ -166,8 +166,7 @@ def slow_curves(path: EnclosedPath, at: At, *limits: arb) -> Iterator[list[Curve
 def refined(path: EnclosedPath, at: At, found: Clear) -> Root:
     """Return the root of a guard in its bracket, by Newton's method."""
     motion, (since, h, hit), end = path.motion(at), found, found.since + found.h
-    rows = [motion.guard(which) for which in range(len(motion.flow.guards))]
-    guard = curves_of(path, at._replace(orders=AWAY), rows)[hit]
+    guard = curves_of(path, at._replace(orders=AWAY), motion.guards())[hit]
     curve, until, tau = guard.polynomial, 2 * end, since + h / 2
     for bits in reversed([path.bits >> k for k in range(8) if k == 0 or path.bits >> k > _COARSE]):
         with precision(bits):

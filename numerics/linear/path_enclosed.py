@@ -26,10 +26,10 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
-from numerics.linear.flow import REACH, Expansion, Flow, exponential, flow_of
-from numerics.linear.model import BELT, FRICTION, STICK, V1, V2, X1, X2, exact_rows
+from numerics.linear.flow import Expansion, Flow, flow_of
+from numerics.linear.model import BELT, FRICTION, V1, V2, X1, X2
 from numerics.linear.pieces import pieces_of
-from numerics.linear.system import BallDrive, LinearMode, LocalNorm, dot
+from numerics.linear.system import BallDrive, LinearMode, LocalNorm, Motion, dot
 from numerics.scene import Law, Scene
 
 AWAY = (0, 0)
@@ -82,9 +82,6 @@ class EnclosedPath:
         self.speeds = 1 / norm.root_m1, arb(0) if self.is_fixed else 1 / norm.root_m2
         """Of v1 and v2."""
         self.falling, self.pulling, self.steep = map(number, (self.cells.falling, self.cells.pulling, self.cells.steep))
-        A = exact_rows(scene.pair, self.pieces[0].layout).A[STICK]
-        self.swing = [[Fraction(0), Fraction(1)], [A[V1, X1], A[V1, V1]]]
-        """Of (x1, v1) in stick."""
         self.undriven = self.is_fixed and scene.pair.a2 > 0 and not (scene.pair.a1 or self.varies or self.literal)
         static = scene.pair.b_static
         self.kept = number(1 - scene.pair.b / static) if static else arb(0)
@@ -192,25 +189,9 @@ class EnclosedPath:
 
     def evolved(self, at: At, local: arb) -> At:
         """Return the path at a later time in the piece, in the same mode."""
-        flow = self.flow(at)
         with precision(2 * self.bits):
             t = local - at.local
-        is_near = flow.fastest * t.upper() <= 1.01 * REACH
-        state = self.motion(at).state(t) if is_near else self.evolved_far(flow, self.here(at)[1], t)
-        return self.settled(at, state, t)._replace(local=local, orders=AWAY)
-
-    def evolved_far(self, flow: Flow, z: list[arb], t: arb) -> list[arb]:
-        """Return the state after a time of many radians: the answers to the sines one by one."""
-        first = flow.mode.sine_places.start
-        whole = flow.mode.generator()
-        state = exponential([row[:first] for row in whole[:first]], t, z[:first])[:4]
-        for place in flow.places:
-            kept = [0, 1, 2, 3, place, place + 1]
-            part = [[whole[i][j] for j in kept] for i in kept]
-            answer = exponential(part, t, [arb(0)] * 4 + [z[place], z[place + 1]])
-            state = [a + b for a, b in zip(state, answer, strict=False)]
-        # stick keeps the bodies together, to more digits than a matrix that does not know it
-        return state if flow.slips else [state[0], state[1], state[0] + (z[X2] - z[X1]), state[1]]
+        return self.settled(at, self.motion(at).state(t), t)._replace(local=local, orders=AWAY)
 
     def ended(self, at: At) -> At:
         """Return the path at the end of the piece, to which its mode lasts."""
@@ -223,7 +204,7 @@ class EnclosedPath:
             norm = norm * self.growth(at, t)
             place = self.parted(at._replace(norm=norm), t, arb(0))
         elif self.pair.a1 and not self.varies:
-            norm = self.shrunk(norm, (t - at.late).lower())
+            norm = self.shrunk(at, (t - at.late).lower())
         x1, v1, x2, v2 = (one.rad() for one in state)
         norm = (norm + self.flow(at).norm.of((x1, v1, -x2, v2))).upper()
         if not norm.is_finite():
@@ -243,17 +224,17 @@ class EnclosedPath:
         by_time = (at.far + (at.norm + norm) / self.norm.root_m1 * t + own).upper()
         return (norm / self.norm.root_a2).upper().min(by_time) if self.norm.root_a2 > 0 else by_time
 
-    def shrunk(self, norm: arb, t: arb) -> arb:
+    def shrunk(self, at: At, t: arb) -> arb:
         """Return a bound on N after both motions have stuck for a time: it dies away with the flow of stick."""
-        stiff, rate = (Ball.number(-one) for one in self.swing[1])
+        flow = self.flow(at)
+        stiff, rate = -flow.A[V1, X1], -flow.A[V1, V1]
         if not (rate * t > 1 and stiff * t > rate):
-            return norm
-        one, zero = arb(1), arb(0)
-        columns = [exponential(self.swing, t, z) for z in ([one, zero], [zero, one])]
+            return at.norm
+        exp = Motion(flow.mode, flow.A, flow.A).flow(t)
         # the greatest singular value of a matrix from the sum of its squares and its determinant
-        square = columns[0][0] ** 2 + columns[1][1] ** 2 + columns[0][1] ** 2 / stiff + columns[1][0] ** 2 * stiff
+        square = exp[X1, X1] ** 2 + exp[V1, V1] ** 2 + exp[V1, X1] ** 2 / stiff + exp[X1, V1] ** 2 * stiff
         inner = (square * square - 4 * (-2 * rate * t).exp()).abs_upper()
-        return (norm * ((square + inner.sqrt()) / 2).upper().sqrt().min(one)).upper()
+        return (at.norm * ((square + inner.sqrt()) / 2).upper().sqrt().min(arb(1))).upper()
 
     def time(self, at: At) -> float:
         """Return the time of a point, s, for a message."""

@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from flint import arb, arb_mat
+from flint import arb, arb_mat, ctx
 
-from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.precision import cached_property
+from numerics.arithmetic.ball import Ball, magnitude_bits
+from numerics.arithmetic.precision import cached_property, precision
 from numerics.linear.model import (
     CONSTANT,
     FIRST,
@@ -192,8 +192,10 @@ class Motion:
     begin: arb_mat
 
     def flow(self, t: arb) -> arb_mat:
-        """Return exp(A t)."""
-        return (self.matrix * t).exp()
+        """Return exp(A t); long times are formed with more bits, since errors double with each squaring."""
+        squarings = max(0, self.mode.entry_bits + 3 + magnitude_bits(t.abs_upper()))
+        with precision(ctx.prec + 3 * squarings + 16):
+            return (matrix(self.mode.generator()) * t).exp()
 
     def at(self, t: arb) -> arb_mat:
         """Return z(t)."""
