@@ -23,7 +23,7 @@ from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
 from numerics.linear.search import CLEAR
 from numerics.linear.sine_form import SineForm
-from numerics.linear.system import dot
+from numerics.linear.system import LinearMode, dot
 from numerics.linear.ties import mode_after, signal_form
 from numerics.scene import Scene
 
@@ -179,7 +179,7 @@ class EnclosedRun(EnclosedPath):
         piece = self.pieces[at.piece]
         speed = signal_form(piece, BELT, Fraction(0))
         state = SineForm(contact), speed, SineForm(), speed
-        return mode_after(self.pair, piece, Fraction(0), state, literal=False)
+        return mode_after(LinearMode(self.pair, 0, piece), Fraction(0), state)
 
     def entered(self, at: At, order: int, state: Sequence[arb]) -> At:
         """Return a point at v1 = v2 in the cell in which its mode goes on."""

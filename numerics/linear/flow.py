@@ -2,7 +2,7 @@
 
 A row of z has the Taylor coefficients (row A^k/k!) z. The rows in front of z depend on the pair and on the layout of
 the signals only; so they are built once and serve every start, amplitude and phase. What a polynomial leaves out is
-bounded by what a derivative of z can become (LocalNorm.sizes). What takes many steps of that length is left to exp(A t).
+bounded by what a derivative of z can become (LocalNorm.sizes). Longer times are left to exp(A t).
 """
 
 from __future__ import annotations
@@ -98,7 +98,9 @@ class Expansion:
     def sizes(self, order: int, h: arb) -> list[arb]:
         """Return bounds on the derivative of this order of z over order!, from the point on for a time h."""
         flow, z, whole = self.flow, self.z, math.factorial(order)
-        further = [one for x in (self.found[0], self.found[flow.slips]) for one in (x[order], x[order + 1] * (order + 1))]
+        further = [
+            one for x in (self.found[0], self.found[flow.slips]) for one in (x[order], x[order + 1] * (order + 1))
+        ]
         for block in flow.norm.blocks:
             terms = z[block.start + order : block.stop]
             further += [one / whole for one in terms] + [arb(0)] * (len(block) - len(terms))

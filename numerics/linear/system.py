@@ -35,7 +35,7 @@ from numerics.linear.model import (
     add_signal,
     exact_rows,
 )
-from numerics.linear.pieces import ExactPiece
+from numerics.linear.pieces import ExactPiece, polynomial_at
 from numerics.scene import Pair, Piece, Sine
 from numerics.scene.short_repr import ShortRepr
 
@@ -71,13 +71,7 @@ class BallDrive:
 
     def at(self, local: arb, side: int) -> list[arb]:
         """Return the blocks of z at a time in the piece (s), in a mode `side`."""
-        found: list[arb] = []
-        for terms in self.polynomials:
-            for order in range(len(terms)):
-                value = arb(0)
-                for k in range(len(terms) - 1, order - 1, -1):
-                    value = value * local + terms[k] * math.perm(k, order)
-                found.append(value)
+        found = [polynomial_at(terms, local, k) for terms in self.polynomials for k in range(len(terms))]
         for amplitude, omega, phase in self.sines:
             found += [amplitude * one for one in (phase + omega * local).sin_cos()]
         for place in self.friction if side < 0 else ():
