@@ -70,7 +70,7 @@ def _between(scene: Scene, before: ExactPiece, one: ExactKnot, two: ExactKnot) -
         has_slope = two.order <= _REGULAR if one.mode == 0 else not (is_at_edge and load.sign() == one.mode)
         return "an event comes without a slope" if two.is_event and not has_slope else None
     if one.mode != 0:
-        return "a slip ends where a piece begins" if two.v1 == two.v2 else None
+        return "a slip ends where a piece begins" if two.gap == 0 else None
     if two.is_event and is_at_edge:
         return "stick ends where a piece begins"
     return "a jump takes the load onto the edge" if two.is_event and two.order >= _REGULAR else None
@@ -84,4 +84,4 @@ def _at_the_end(scene: Scene, motion: ExactMotion | None, last: ExactKnot) -> st
     if piece.start + piece.length < scene.until or last.quiet < piece.length:
         return None
     end = motion.at(piece.length)
-    return "a slip ends on the horizon" if end.v1 == end.v2 else None
+    return "a slip ends on the horizon" if end.gap == 0 else None

@@ -96,13 +96,12 @@ class EnclosedRun(EnclosedPath):
     def resolve(self, at: At, root: Root) -> tuple[At, arb, list[arb]]:
         """Return the point after the root of a guard, in the mode or cell that follows, and time and state there."""
         local, t, late, norm = root.local, root.tau, root.late, at.norm
-        if self.varies:
-            norm = norm * self.growth(at, t)
-            reached = self.parted(at._replace(norm=norm), t, 2 * late)
-            # about the event both motions may be in different cells
-            norm = norm + 4 * self.kappa * self.pulling * reached * late
-            norm = norm * (2 * self.kappa**2 * self.falling * late).exp()
-            at = at._replace(norm=norm)
+        norm = norm * self.growth(at, t)
+        reached = self.parted(at._replace(norm=norm), t, 2 * late)
+        # about the event both motions may be in different cells
+        norm = norm + 4 * self.kappa * self.pulling * reached * late
+        norm = norm * (2 * self.kappa**2 * self.falling * late).exp()
+        at = at._replace(norm=norm)
         state, here, bends = root.motion.state(t), widened(local, late), root.motion.bends(t + arb(0, late))
         at_knot = at.mode != 0 and (root.guard.kind != FLOOR or at.cell[0] > 0)
         event = self.around(at, t, state, bends, late, together=not at_knot)
@@ -146,7 +145,6 @@ class EnclosedRun(EnclosedPath):
         else:
             mode, order, after = 1 - 2 * root.guard.row, 2, arb(0)
             contact = self.balance(at, mode) if self.is_closed(at) and self.kept == 0 else None
-            off, speed = 2 * b * span + above, kappa**2 * b * span
             if self.kept > 0:
                 order = 1
             else:
@@ -155,9 +153,9 @@ class EnclosedRun(EnclosedPath):
                     raise self.undecided(at)
                 # where the load is not quite b, the slip starts a little later than here
                 span = span + 2 * kappa * kappa * root.value / bend
-                off, speed = 2 * b * span, kappa**2 * b * span
-        if self.varies:  # by how much F is not B(0) + C in between
-            off = off + 4 * speed * span * (self.steep + self.pulling * span)
+            off, speed = 2 * b * span + above, kappa**2 * b * span
+        # by how much F is not B(0) + C in between
+        off = off + 4 * speed * span * (self.steep + self.pulling * span)
         return self.entered(at._replace(mode=mode, late=after, contact=contact, is_slow=False), order, event), off
 
     def on_surface(self, at: At, load: arb, b: arb, error: arb) -> int:
@@ -268,12 +266,12 @@ class EnclosedRun(EnclosedPath):
         """Return an exact knot as a point; the motion starts within its rounding."""
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
         at = At(knot.mode, (knot.order, 0), knot.piece, local, state, zero, zero, zero, zero)
-        x1, v1 = knot.x1.rational, knot.v1.rational
+        x1, v1, *_ = (one.rational for one in knot.state)
         if knot.mode and x1 is not None and v1 is not None:
-            contact = x1 if (knot.v1 - knot.v2).sign() == 0 else None
+            contact = x1 if knot.gap == 0 else None
             at = at._replace(contact=contact, is_slow=self.stays_slow(at, knot.local, x1, v1))
         if self.varies and knot.mode == 0:
-            at = at._replace(apart=(knot.x1 - knot.x2).rational, cell=(0, self.cells.begun[1]))
+            at = at._replace(apart=(knot.state[X1] - knot.state[X2]).rational, cell=(0, self.cells.begun[1]))
         elif self.varies:
             cell, orders = self.cells.start(self.pieces[knot.piece], knot.mode, knot.local, knot.state, knot.order)
             at = at._replace(cell=cell, orders=orders)

@@ -138,7 +138,7 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | N
         row[: len(CODES)] = one.mode, order, one.is_event, one.is_jump, one.piece, cell
         row[AT["local"] : AT["length"]] = halves(one.local, units.time)
         row[AT["length"]] = rounded(t - before, units.time)
-        state = (form.rounded(256) for form in (one.x1, one.v1, one.x2, one.v2))
+        state = (form.rounded(256) for form in one.state)
         row[_STATE] = [rounded(x, unit) for x, unit in zip(state, [units.length, speed] * 2, strict=True)]
     rows[:, AT["x1_error"] : AT["speed_error"]] = UNIT * np.abs(rows[:, _STATE])
     norm, (x1, v1, _, v2) = prepared.problem.norm, rows[:, AT["x1_error"] : AT["speed_error"]].T

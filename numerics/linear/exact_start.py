@@ -35,10 +35,8 @@ class ExactKnot(NamedTuple):
 
     piece: int
     local: Fraction
-    x1: SineForm
-    v1: SineForm
-    x2: SineForm
-    v2: SineForm
+    state: tuple[SineForm, ...]
+    """x1, v1, x2, v2"""
     mode: int
     order: int
     is_event: bool
@@ -46,9 +44,9 @@ class ExactKnot(NamedTuple):
     quiet: Fraction
 
     @property
-    def state(self) -> tuple[SineForm, ...]:
-        """Return x1, v1, x2, v2."""
-        return self.x1, self.v1, self.x2, self.v2
+    def gap(self) -> SineForm:
+        """Return v1 - v2."""
+        return self.state[V1] - self.state[V2]
 
 
 def exact_knots(scene: Scene, pieces: Sequence[ExactPiece]) -> list[ExactKnot]:
@@ -57,12 +55,13 @@ def exact_knots(scene: Scene, pieces: Sequence[ExactPiece]) -> list[ExactKnot]:
     x1, v1, x2, v2 = (SineForm(one) for one in (at.x1, at.v1, at.x2, at.v2))
     if scene.pair.is_fixed:
         v2 = signal_form(pieces[0], BELT, Fraction(0))
-    gap = (v1 - v2).sign()
-    after: ExactKnot | None = ExactKnot(0, Fraction(0), x1, v1, x2, v2, gap, 0, False, True, Fraction(0))
-    if gap == 0 and after is not None:
+    state, side = (x1, v1, x2, v2), (v1 - v2).sign()
+    knot = ExactKnot(0, Fraction(0), state, side, 0, False, True, Fraction(0))
+    if side == 0:
         if cells is not None:
-            cells.start(pieces[0], 0, Fraction(0), after.state, 0)  # raises where friction vanishes
-        after = _decided(scene, pieces, after)._replace(is_event=False)
+            cells.start(pieces[0], 0, knot.local, state, 0)  # raises where friction vanishes
+        knot = _decided(scene, pieces, knot)._replace(is_event=False)
+    after: ExactKnot | None = knot
     found: list[ExactKnot] = []
     while after is not None:
         quiet, follows = _followed(scene, pieces, after)
@@ -119,11 +118,11 @@ class ExactMotion:
     def at(self, local: Fraction) -> ExactKnot:
         """Return the knot moved to a later time in the piece."""
         z, since = self.z(local), local - self.knot.local
-        state = [
+        state = (
             sum((term[k] * since**n for n, term in enumerate(self.terms)), applied(row, z))
             for k, row in enumerate(self.steady)
-        ]
-        return self.knot._replace(local=local, **dict(zip(("x1", "v1", "x2", "v2"), state, strict=True)))
+        )
+        return self.knot._replace(local=local, state=tuple(state))
 
     def guard(self, row: Row) -> list[Fraction] | None:
         """Return the Taylor coefficients of a guard without its sines; None if they are not rational."""
@@ -195,8 +194,8 @@ def _followed(scene: Scene, pieces: Sequence[ExactPiece], knot: ExactKnot) -> tu
     # a slip that ends where a piece begins ends by itself; stick there ends by what jumps
     jumped = motion.at(until)._replace(piece=knot.piece + 1, local=Fraction(0), is_jump=knot.mode == 0 or not is_root)
     if scene.pair.is_fixed:
-        jumped = jumped._replace(v2=signal_form(pieces[jumped.piece], BELT, Fraction(0)))
-    side = (jumped.v1 - jumped.v2).sign()
+        jumped = jumped._replace(state=(*jumped.state[:V2], signal_form(pieces[jumped.piece], BELT, Fraction(0))))
+    side = jumped.gap.sign()
     if side == 0:
         return until, _decided(scene, pieces, jumped)
     return until, jumped._replace(mode=side, order=0, is_event=side != knot.mode)

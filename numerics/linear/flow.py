@@ -14,10 +14,10 @@ from functools import lru_cache
 
 from flint import arb, arb_mat, arb_poly
 
-from numerics.arithmetic.ball import Ball, widened
+from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import precision
 from numerics.linear.model import CONSTANT, V1, X1, X2, Cell, Layout
-from numerics.linear.search import Polynomial
+from numerics.linear.search import Curve
 from numerics.linear.system import LinearMode, LocalNorm, Motion, Row, Z, matrix, sparse
 from numerics.scene import Pair
 
@@ -92,8 +92,11 @@ class Expansion:
         self.flow, self.z, self.order, count = flow, z, flow.terms, flow.terms + 2
         found = (flow.matrix * flow.column(z)).entries()
         self.found = [found[start : start + count] for start in range(0, len(found), count)]
-        self.curves = [arb_poly(row[: self.order]) for row in self.found]
         self.rests = self.sizes(self.order, h)
+        self.bodies = [
+            Curve(arb_poly(row[: self.order]), self.rests[place], self.order)
+            for place, row in zip(flow.bodies, self.found, strict=False)
+        ]
 
     def sizes(self, order: int, h: arb) -> list[arb]:
         """Return bounds on the derivative of this order of z over order!, from the point on for a time h."""
@@ -109,40 +112,28 @@ class Expansion:
             further += [z[place] * power, z[place + 1] * power]
         return flow.norm.sizes(further, h)
 
-    def guards(self, h: arb | None = None) -> list[Polynomial]:
+    def guards(self, h: arb | None = None) -> list[Curve]:
         """Return the guards; with h only FEW terms of each, and what they leave out up to then."""
         order, sizes = (self.order, self.rests) if h is None else (FEW, self.sizes(FEW, h))
         rests = [sum((abs(c) * sizes[place] for place, c in row), arb(0)).upper() for row in self.flow.guarded]
         return [
-            Polynomial(arb_poly(row[:order]), rest, order)
-            for row, rest in zip(self.found[len(self.flow.bodies) :], rests, strict=True)
+            Curve(arb_poly(row[:order]), rest, order, row=k)
+            for k, (row, rest) in enumerate(zip(self.found[len(self.bodies) :], rests, strict=True))
         ]
-
-    def left_out(self, place: int, t: arb, derivative: int) -> arb:
-        """Return a bound on what this derivative of a polynomial of x1 or x2 leaves out up to t."""
-        n = self.order - derivative
-        return (self.rests[place] * (math.perm(self.order, derivative) * t**n)).upper()
 
     def state(self, t: arb) -> list[arb]:
         """Return the state at a time after the point; after many radians by exp(A t)."""
-        h, flow, z = t.abs_upper(), self.flow, self.z
-        if flow.fastest * h > 1.01 * REACH:
+        flow, z = self.flow, self.z
+        if flow.fastest * t.abs_upper() > 1.01 * REACH:
             found = list(Motion(flow.mode, flow.A, flow.column(z)).state(t))
         else:
-            found = [
-                widened(curve(t), self.left_out(place, h, n))
-                for place, x in zip(flow.bodies, self.curves, strict=False)
-                for n, curve in enumerate((x, x.derivative()))
-            ]
+            found = [x.at(t, order) for x in self.bodies for order in (0, 1)]
         # stick keeps the bodies together, to more digits than what does not know it
         return found if flow.slips else [*found[:X2], found[X1] + (z[X2] - z[X1]), found[V1]]
 
     def bends(self, t: arb) -> list[arb]:
         """Return bounds on |v1'| and |v2'| over a ball of times."""
-        return [
-            self.curves[k].derivative().derivative()(t).abs_upper() + self.left_out(self.flow.bodies[k], t.upper(), 2)
-            for k in (0, int(self.flow.slips))
-        ]
+        return [self.bodies[k].at(t, 2).abs_upper() for k in (0, -1)]
 
 
 def _in_balls(row: Row) -> list[tuple[int, arb]]:

@@ -18,7 +18,7 @@ from numerics.linear.cells import VANISHES
 from numerics.linear.flow import REACH, Expansion
 from numerics.linear.model import AHEAD
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
-from numerics.linear.search import CLEAR, Clear, Curve, Polynomial, march, newton
+from numerics.linear.search import CLEAR, Clear, Curve, march, newton
 from numerics.linear.swings import Swings
 from numerics.linear.ties import MARGINAL
 
@@ -89,7 +89,7 @@ def next_event(path: EnclosedPath, at: At) -> tuple[At, Root | None]:
     )
 
 
-def curves_of(path: EnclosedPath, at: At, guards: Sequence[Polynomial]) -> list[Curve]:
+def curves_of(path: EnclosedPath, at: At, guards: Sequence[Curve]) -> list[Curve]:
     """Return what is positive in a mode, from the rows of its flow; some of it may vanish here to some order.
 
     Of a slip the ends of its intervals of |w| and of x1 - x2, and B + C > 0; of stick the load below b on either side.
@@ -100,21 +100,20 @@ def curves_of(path: EnclosedPath, at: At, guards: Sequence[Polynomial]) -> list[
         margin, nearer = path.margin(at), int(not guards[0].polynomial[0].mid() < guards[1].polynomial[0].mid())
         orders = [at.orders[0] * (which == nearer) for which in range(2)]
         return [
-            Curve(*guards[which], margin=flow.apart[which][order] * norm if order else margin, order=order, row=which)
-            for which, order in enumerate(orders)
+            one._replace(margin=flow.apart[one.row][order] * norm if order else margin, order=order)
+            for one, order in zip(guards, orders, strict=True)
         ]
-    place = at.place + path.kappa * norm * flow.reach if path.varies else at.place
+    place = at.place + path.kappa * norm * flow.reach
     ends, may_vanish = cells.guards(side, at.cell)
     found = []
     for kind, sign, offset in ends:
         row, order = int(kind == AHEAD), 0 if kind == AHEAD else at.orders[kind]
-        (p, rest, terms), margin = guards[row], place if row else flow.apart[0][order] * norm
-        found.append(Curve(p * sign + number(offset), rest, terms, margin, order, row, kind))
+        curve, margin = guards[row].polynomial * sign + number(offset), place if row else flow.apart[0][order] * norm
+        found.append(guards[row]._replace(polynomial=curve, margin=margin, order=order, kind=kind))
     if may_vanish and path.varies:
         branch = cells.branch(path.pieces[at.piece], side, at.cell)
         margin = number(abs(branch.slope)) * path.kappa * norm + number(abs(branch.pull)) * place
-        p, rest, terms = guards[2]
-        found.append(Curve(p * side, rest, terms, margin, 0, 2, VANISHES))
+        found.append(guards[2]._replace(polynomial=guards[2].polynomial * side, margin=margin, kind=VANISHES))
     return found
 
 
@@ -157,8 +156,8 @@ def slow_curves(path: EnclosedPath, at: At, *limits: arb) -> Iterator[list[Curve
     for limit in limits:
         found = []
         for one in guards:
-            (p, rest, terms), amplitude = swings.taken(motion.flow.bent[one.row], limit)
-            found.append(Curve(p * sign, rest, terms, one.margin + amplitude))
+            taken = swings.taken(motion.flow.bent[one.row], limit)
+            found.append(taken._replace(polynomial=taken.polynomial * sign, margin=one.margin + taken.margin))
         if limit.is_zero() or any(one.rest > 0 for one in found):
             yield found
 
@@ -174,11 +173,11 @@ def refined(path: EnclosedPath, at: At, found: Clear) -> Root:
     local = (at.local + tau).mid()
     tau = local - at.local  # so far the path goes; what that is rounded by counts as an error of the root
     # the true root is where the guard is between -reached and reached; between both ends its slope is known
-    off, slope = curve(tau).abs_upper() + guard.left_out(tau.abs_upper(), 0), curve.derivative()
+    off = guard.at(tau).abs_upper()
     reached = off + guard.margin
-    within = (2 * reached / abs(slope(tau)) + end * arb((1, -path.bits))).upper()
+    within = (2 * reached / abs(curve.derivative()(tau)) + end * arb((1, -path.bits))).upper()
     around = tau + arb(0, within)
-    steepness = (-slope(around) - guard.left_out(until, 1)).lower()
+    steepness = (-guard.at(around, 1)).lower()
     late = (reached / steepness).upper()
     if not (steepness > 0 and late < within and around < until):
         raise path.undecided(at)

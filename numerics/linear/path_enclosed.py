@@ -170,8 +170,6 @@ class EnclosedPath:
 
     def reweighed(self, at: At, root_g: arb) -> At:
         """Return a point with N of its own cell, where it is that of a cell with this sqrt(g)."""
-        if not self.varies:
-            return at
         place, more = at.place, self.weight(at) ** 2 - root_g**2
         if root_g > 0:
             place = (at.norm / root_g).upper().min(place)

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import flint
 from flint import arb, arb_mat, arb_poly
 
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball import Ball, widened
 
 CLEAR, UNKNOWN = -1, -2
 """No guard vanishes; that is not proved. Otherwise the answer is the index of the guard that does."""
@@ -25,25 +25,17 @@ _RATIO, _BEHIND = arb("0.4873"), arb((1, -12))
 shorter than the time behind them by the second factor, it is better to look again from there."""
 
 
-class Polynomial(NamedTuple):
-    """A polynomial of so many terms, and what it leaves out: `rest` t^terms at most."""
-
-    polynomial: arb_poly
-    rest: arb
-    terms: int
-
-
 class Curve(NamedTuple):
-    """A guard, which is positive in a mode; its derivative of an `order`, of which all lower ones vanish at 0.
+    """A function of time by a polynomial of so many terms, which leaves out `rest` t^terms at most.
 
-    That is off by `margin` from the derivative of the true motion. `row` says of which row it is, `kind` what it means
-    (cells.py).
+    A guard is positive in a mode; its derivative of an `order`, of which all lower ones vanish at 0, is off by `margin`
+    from that of the true motion. `row` says of which row it is, `kind` what it means (cells.py).
     """
 
     polynomial: arb_poly
     rest: arb
     terms: int
-    margin: arb
+    margin: arb = arb(0)
     order: int = 0
     row: int = 0
     kind: int = 0
@@ -51,6 +43,17 @@ class Curve(NamedTuple):
     def left_out(self, t: arb, order: int) -> arb:
         """Return a bound on what a derivative leaves out up to t."""
         return self.rest * (t ** (self.terms - order) * math.perm(self.terms, order))
+
+    def derived(self, order: int) -> arb_poly:
+        """Return a derivative of the polynomial."""
+        found = self.polynomial
+        for _ in range(order):
+            found = found.derivative()
+        return found
+
+    def at(self, t: arb, order: int = 0) -> arb:
+        """Return an enclosure of a derivative over a ball of times."""
+        return widened(self.derived(order)(t), self.left_out(t.abs_upper(), order))
 
 
 class Clear(NamedTuple):
@@ -80,10 +83,7 @@ def look(curves: Sequence[Curve], since: arb, h: arb) -> int:
     """
     hit, end = CLEAR, since + h
     for index, one in enumerate(curves):
-        p, off = one.polynomial, one.left_out(end, one.order) + one.margin
-        for _ in range(one.order):
-            p = p.derivative()
-        values = bernstein(p, since, h)
+        values, off = bernstein(one.derived(one.order), since, h), one.left_out(end, one.order) + one.margin
         if all(value > off for value in values):
             continue
         # the slope has the Bernstein coefficients n (b_k+1 - b_k)/h
