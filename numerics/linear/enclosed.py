@@ -17,7 +17,7 @@ from numerics.errors import EventUndecided
 from numerics.linear.cells import VANISHES
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Expansion
-from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, X1, X2
+from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, WALL, X1, X2
 from numerics.linear.next_enclosed import SHY, Root, next_event, short_step, slow_curves
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
@@ -128,7 +128,8 @@ class EnclosedRun(EnclosedPath):
         load, b = dot(flow.load, z), self.edge(there, flow, z)
         above = self.kept * b * late  # while one sticks at more than b and the other slips
         if at.mode:
-            contact = self.mirrored(at)
+            # a slip comes back to v1 = v2 at the mirror image of where it left
+            contact = None if at.contact is None else 2 * self.balance(at, at.mode) - at.contact
             if contact is None:
                 mode = self.on_surface(at, load, b, arb(0))
                 order = abs(mode)
@@ -156,7 +157,10 @@ class EnclosedRun(EnclosedPath):
             off, speed = 2 * b * span + above, kappa**2 * b * span
         # by how much F is not B(0) + C in between
         off = off + 4 * speed * span * (self.steep + self.pulling * span)
-        return self.entered(at._replace(mode=mode, late=after, contact=contact, is_slow=False), order, event), off
+        at = at._replace(mode=mode, late=after, contact=None, is_slow=False)
+        if mode and contact is not None:
+            at = self.on_circle(at, contact)
+        return self.entered(at, order, event), off
 
     def on_surface(self, at: At, load: arb, b: arb, error: arb) -> int:
         """Return the mode that follows v1 = v2 after a point, from the load (N), which is known up to an error."""
@@ -166,17 +170,14 @@ class EnclosedRun(EnclosedPath):
             return 1 if load > 0 else -1
         raise self.undecided(at)
 
-    def mirrored(self, at: At) -> Fraction | None:
-        """Return x1 where a slip comes back to v1 = v2, if it is known exactly: the mirror image of where it left."""
-        if at.contact is None or not self.is_closed(at):
-            return None
-        return 2 * self.balance(at, at.mode) - at.contact
-
     def exactly_after(self, at: At, contact: Fraction) -> tuple[int, int]:
-        """Return the mode that follows a contact at this x1, and how many derivatives of its guard vanish there."""
+        """Return the mode that follows a contact at this stretch, and how many derivatives of its guard vanish there.
+
+        It is as if it came when the piece begins: since then only the wall may have moved, at a constant speed.
+        """
         piece = self.pieces[at.piece]
-        speed = signal_form(piece, BELT, Fraction(0))
-        state = SineForm(contact), speed, SineForm(), speed
+        speed, wall = (signal_form(piece, one, Fraction(0)) for one in (BELT, WALL))
+        state = wall + contact, speed, SineForm(), speed
         return mode_after(LinearMode(self.pair, 0, piece), Fraction(0), state)
 
     def entered(self, at: At, order: int, state: Sequence[arb]) -> At:
@@ -266,14 +267,14 @@ class EnclosedRun(EnclosedPath):
         """Return an exact knot as a point; the motion starts within its rounding."""
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
         at = At(knot.mode, (knot.order, 0), knot.piece, local, state, zero, zero, zero, zero)
-        x1, v1, *_ = (one.rational for one in knot.state)
-        if knot.mode and x1 is not None and v1 is not None:
-            contact = x1 if knot.gap == 0 else None
-            at = at._replace(contact=contact, is_slow=self.stays_slow(at, knot.local, x1, v1))
+        piece, v1 = self.pieces[knot.piece], knot.state[V1].rational
+        stretch = (knot.state[X1] - signal_form(piece, WALL, knot.local)).rational
+        if knot.mode and self.is_closed(at) and stretch is not None and v1 is not None:
+            at = self.on_circle(at, stretch, v1)
         if self.varies and knot.mode == 0:
             at = at._replace(apart=(knot.state[X1] - knot.state[X2]).rational, cell=(0, self.cells.begun[1]))
         elif self.varies:
-            cell, orders = self.cells.start(self.pieces[knot.piece], knot.mode, knot.local, knot.state, knot.order)
+            cell, orders = self.cells.start(piece, knot.mode, knot.local, knot.state, knot.order)
             at = at._replace(cell=cell, orders=orders)
             if not self.arithmetic.number(0).is_zero():  # a box of starts
                 self.interval(at, state)

@@ -27,8 +27,8 @@ from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
 from numerics.linear.flow import Expansion, Flow, flow_of
-from numerics.linear.model import BELT, FRICTION, V1, V2, X1, X2
-from numerics.linear.pieces import pieces_of
+from numerics.linear.model import BELT, FRICTION, V1, V2, WALL, X1, X2
+from numerics.linear.pieces import pieces_of, polynomial_at
 from numerics.linear.system import BallDrive, LinearMode, LocalNorm, Motion, dot
 from numerics.scene import Law, Scene
 
@@ -41,8 +41,8 @@ class At(NamedTuple):
 
     The state is a point; `norm` bounds N of its distance to the true one, `far` that of x1, `place` that of x1 - x2.
     The true motion sticks from up to `late` (s) after the path on. A slip is in a `cell` of friction, its guards are
-    those of cells.py; `apart` is x1 - x2 of a stick if it is known exactly, `contact` x1 where a slip left v1 = v2.
-    `is_slow`: it is known exactly that a slip does not come to v1 = v2, but for touches.
+    those of cells.py; `apart` is x1 - x2 of a stick if it is known exactly, `contact` how far the spring was
+    stretched where a slip left v1 = v2. `is_slow`: it is known exactly that a slip only touches v1 = v2, if at all.
     """
 
     mode: int
@@ -116,39 +116,41 @@ class EnclosedPath:
             self.expanded = at, Expansion(flow, z, 2 * flow.reach)
         return self.expanded[1]
 
-    def is_closed(self, at: At, *, wall_may_move: bool = False) -> bool:
+    def is_closed(self, at: At) -> bool:
         """Return whether body 1 swings on its spring alone: no damper, ground or a belt, signals that are constants.
 
         In the frame of a wall that moves at a constant speed that is so, too.
         """
         *others, wall, friction = self.pieces[at.piece].signals
-        is_still = wall.constant is not None or (wall_may_move and not wall.sines and len(wall.polynomial) == 2)
-        return self.undriven and is_still and all(one.constant is not None for one in (*others, friction))
+        is_even = not wall.sines and len(wall.polynomial) <= 2
+        return self.undriven and is_even and all(one.constant is not None for one in (*others, friction))
 
     def lasts(self, at: At) -> bool:
         """Return whether a mode that begins here does not end in its piece, as is known exactly.
 
-        A slip that leaves a stick where friction is at its limit is a circle in (x1, v1), which only touches v1 = v2
-        again; at rest on the ground the load stays as it is.
+        At rest on the ground the load stays as it is, if the wall does not move.
         """
         if at.mode:
-            return (at.orders[0] == 2 or at.is_slow) and self.is_closed(at, wall_may_move=True)
-        return self.is_closed(at) and self.pieces[at.piece].signals[BELT].constant == 0
+            return at.is_slow
+        signals = self.pieces[at.piece].signals
+        return self.is_closed(at) and signals[BELT].constant == 0 and signals[WALL].constant is not None
 
-    def stays_slow(self, at: At, local: Fraction, x1: Fraction, v1: Fraction) -> bool:
-        """Return whether body 1, in a slip from here, is at no time faster than the belt, both beside the wall."""
-        if not self.is_closed(at, wall_may_move=True):
-            return False
-        force, _, belt, wall, b = self.pieces[at.piece].signals
-        place, speed, *_ = (*wall.polynomial, Fraction(0), Fraction(0))
-        pull = (force.constant or 0) - at.mode * (b.constant or 0)
-        stretch, pair = self.pair.a2 * (x1 - place - speed * local) - pull, self.pair
-        return stretch**2 / pair.a2 + pair.m1 * (v1 - speed) ** 2 <= pair.m1 * ((belt.constant or 0) - speed) ** 2
+    def on_circle(self, at: At, stretch: Fraction, v1: Fraction | None = None) -> At:
+        """Return a slip of a closed piece whose spring is stretched so far, exactly, at a speed v1 or at v1 = v2.
+
+        There (x1, v1) is a circle about its balance: it is slow if the belt is at all times at least as fast.
+        """
+        signals, pair = self.pieces[at.piece].signals, self.pair
+        belt, speed = signals[BELT].constant or Fraction(0), polynomial_at(signals[WALL].polynomial, Fraction(0), 1)
+        away, at_most = stretch - self.balance(at, at.mode), (belt - speed) ** 2
+        square = ((belt if v1 is None else v1) - speed) ** 2
+        is_slow = pair.a2 * away**2 + pair.m1 * square <= pair.m1 * at_most
+        return at._replace(is_slow=is_slow, contact=stretch if v1 in {None, belt} else None)
 
     def balance(self, at: At, side: int) -> Fraction:
-        """Return x1 where spring and force bear the friction side * b: the middle of a slip, an edge of stick."""
-        force, _, _, wall, b = (one.constant or Fraction(0) for one in self.pieces[at.piece].signals)
-        return wall + (force - side * b) / self.pair.a2
+        """Return by how much the spring is stretched where it bears, with the force, the friction side * b."""
+        force, *_, b = (one.constant or Fraction(0) for one in self.pieces[at.piece].signals)
+        return (force - side * b) / self.pair.a2
 
     def held(self, at: At) -> arb:
         """Return what friction that depends on the state holds at rest where a point is, N; for the true motion."""
