@@ -18,10 +18,9 @@ from numerics.linear.cells import VANISHES
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Expansion
 from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, WALL, X1, X2
-from numerics.linear.next_enclosed import SHY, Root, next_event, short_step, slow_curves
+from numerics.linear.next_enclosed import CLEAR, SHY, Root, next_event, short_step, slow_curves
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
-from numerics.linear.search import CLEAR
 from numerics.linear.sine_form import SineForm
 from numerics.linear.system import LinearMode, dot
 from numerics.linear.ties import mode_after, signal_form

@@ -11,13 +11,13 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
+from typing import NamedTuple
 
 from flint import arb, arb_mat, arb_poly
 
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball import Ball, widened
 from numerics.arithmetic.precision import precision
 from numerics.linear.model import CONSTANT, V1, X1, X2, Cell, Layout
-from numerics.linear.search import Curve
 from numerics.linear.system import LinearMode, LocalNorm, Motion, Row, Z, matrix, sparse
 from numerics.scene import Pair
 
@@ -29,6 +29,37 @@ FEW = 14
 """So many coefficients of a guard are scanned."""
 _SLOWEST = arb((1, -2_000))
 """The rate of what has none, 1/s."""
+
+
+class Curve(NamedTuple):
+    """A function of time by a polynomial of so many terms, which leaves out `rest` t^terms at most.
+
+    A guard is positive in a mode; its derivative of an `order`, of which all lower ones vanish at 0, is off by `margin`
+    from that of the true motion. `row` says of which row it is, `kind` what it means (cells.py).
+    """
+
+    polynomial: arb_poly
+    rest: arb
+    terms: int
+    margin: arb = arb(0)
+    order: int = 0
+    row: int = 0
+    kind: int = 0
+
+    def left_out(self, t: arb, order: int) -> arb:
+        """Return a bound on what a derivative leaves out up to t."""
+        return self.rest * (t ** (self.terms - order) * math.perm(self.terms, order))
+
+    def derived(self, order: int) -> arb_poly:
+        """Return a derivative of the polynomial."""
+        found = self.polynomial
+        for _ in range(order):
+            found = found.derivative()
+        return found
+
+    def at(self, t: arb, order: int = 0) -> arb:
+        """Return an enclosure of a derivative over a ball of times."""
+        return widened(self.derived(order)(t), self.left_out(t.abs_upper(), order))
 
 
 class Flow:

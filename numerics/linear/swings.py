@@ -12,9 +12,8 @@ from collections.abc import Sequence
 
 from flint import acb, arb, arb_poly
 
-from numerics.linear.flow import BEND, FEW, Flow
+from numerics.linear.flow import BEND, FEW, Curve, Flow
 from numerics.linear.model import FIRST, V1, V2, X1
-from numerics.linear.search import Curve
 from numerics.linear.system import BallRow, length
 
 _I = acb(0, 1)
