@@ -94,7 +94,7 @@ def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound(m2, layou
     """For every number of z alone, so that no other hides it: of the state, its rates, and the guards."""
     flow = Flow(BALLS.bits, Pair("0.3", m2, 50, 1, "0.5"), slips, layout)
     few, t = copy(flow), (flow.reach / 2).mid()
-    few.expand(5)
+    few.expand(2)
     for k in {*range(flow.size)} - ({V2} if not slips else set()):
         z = [arb(int(k == n or (not slips and {k, n} == {V1, V2}))) for n in range(flow.size)]
         there, motion = Motion(flow.mode, flow.A, flow.column(z)).at(t), Expansion(few, z, flow.reach / 2)
