@@ -270,12 +270,11 @@ class EnclosedRun(EnclosedPath):
         stretch = (knot.state[X1] - signal_form(piece, WALL, knot.local)).rational
         if knot.mode and self.is_closed(at) and stretch is not None and v1 is not None:
             at = self.on_circle(at, stretch, v1)
-        if self.varies and knot.mode == 0:
-            at = at._replace(apart=(knot.state[X1] - knot.state[X2]).rational, cell=(0, self.cells.begun[1]))
-        elif self.varies:
+        if self.varies:
             cell, orders = self.cells.start(piece, knot.mode, knot.local, knot.state, knot.order)
-            at = at._replace(cell=cell, orders=orders)
-            if not self.arithmetic.number(0).is_zero():  # a box of starts
+            apart = None if knot.mode else (knot.state[X1] - knot.state[X2]).rational
+            at = at._replace(cell=cell, orders=orders, apart=apart)
+            if knot.mode and not self.arithmetic.number(0).is_zero():  # a box of starts
                 self.interval(at, state)
         start = local.lower()
         if knot.local:  # a time that is rounded, by as much before the knot

@@ -60,22 +60,21 @@ class BallDrive:
     def __init__(self, piece: ExactPiece) -> None:
         """Take a piece; the present precision is that of its numbers."""
         number = Ball.number
-        self.polynomials = [[number(c) for c in one.polynomial] for one in piece.signals]
-        self.sines = [
-            (number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase))
+        self.signals = [
+            (
+                [number(c) for c in one.polynomial],
+                [(number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase)) for s in one.sines],
+            )
             for one in piece.signals
-            for s in one.sines
         ]
-        first, terms, sines, waves = piece.layout.blocks[FRICTION]
-        self.friction = [place - FIRST for place in (*range(first, first + terms), *range(sines, sines + 2 * waves))]
 
     def at(self, local: arb, side: int) -> list[arb]:
         """Return the blocks of z at a time in the piece (s), in a mode `side`."""
-        found = [polynomial_at(terms, local, k) for terms in self.polynomials for k in range(len(terms))]
-        for amplitude, omega, phase in self.sines:
-            found += [amplitude * one for one in (phase + omega * local).sin_cos()]
-        for place in self.friction if side < 0 else ():
-            found[place] = -found[place]
+        signed = list(zip([1] * FRICTION + [side or 1], self.signals, strict=True))
+        found = [sign * polynomial_at(one, local, k) for sign, (one, _) in signed for k in range(len(one))]
+        for sign, (_, sines) in signed:
+            for amplitude, omega, phase in sines:
+                found += [sign * amplitude * one for one in (phase + omega * local).sin_cos()]
         return found
 
 
@@ -329,10 +328,7 @@ def dot(row: BallRow, z: Sequence[arb]) -> arb:
 
 def value(row: Row, z: arb_mat) -> arb:
     """Return the value of a linear function of z."""
-    total = arb(0)
-    for place, factor in row:
-        total += Ball.number(factor) * z[place, 0]
-    return total
+    return dot([(place, Ball.number(c)) for place, c in row], z.entries())
 
 
 def matrix(rows: Sequence[Sequence[Fraction]]) -> arb_mat:
