@@ -115,13 +115,6 @@ class Cells:
         """Return the interval of a place; at a knot that towards which z moves."""
         return (bisect_right if side > 0 else bisect_left)(self.places, z)
 
-    def at_rest(self, z: Fraction) -> Fraction:
-        """Return B(0) + C(z), for b itself, exact; raises InvalidScene unless it is > 0."""
-        q, slope = self.by_place[self.place_line(z)]
-        if self.pair.b + q + slope * z <= 0:
-            raise self.vanishing(Fraction(0), z)
-        return self.pair.b + q + slope * z
-
     def ends(self, cell: tuple[int, int]) -> tuple[Fraction | None, ...]:
         """Return the ends of a cell: |w| from and to, z from and to; None where there is none."""
         (k, j), last = cell, len(self.places)
@@ -168,18 +161,17 @@ class Cells:
         )
 
     def start(self, piece: ExactPiece, side: int, local: Fraction, state: Sequence[SineForm], order: int) -> Start:
-        """Return where a slip begins from an exact state, whose w vanishes to an order; ties by derivatives."""
+        """Return where a mode begins from an exact state, whose w vanishes to an order; ties by derivatives."""
         x1, v1, x2, v2 = state
-        w, z = ((v1 - v2) * side).rational, (x1 - x2).rational
+        w, z = ((v1 - v2) * (side or 1)).rational, (x1 - x2).rational
         if w is None or z is None:
             raise ArithmeticError("a slip begins from rational w and z")
-        if w == 0:
-            return (0, self.place_line(z, side)), (order, 0)
-        j = self.place_line(z, side)
-        k = bisect_right(self.speeds, w) - 1
+        j, k = self.place_line(z, side or 1), bisect_right(self.speeds, w) - 1
         (p, slope), (q, pull) = self.by_speed[k], self.by_place[j]
         if p + q + slope * w + pull * z <= 0:
             raise self.vanishing(w, z, " at t = 0")
+        if w == 0:
+            return (0, j), (order, 0)
         orders = [0, 0]
         if w == self.speeds[k]:
             rising, m = self._leaves(self.mode(piece, side, (k, j)), local, state)
@@ -213,6 +205,12 @@ def mode_in(scene: Scene, piece: ExactPiece, side: int, cell: tuple[int, int]) -
     """Return the linear mode `side` of any scene in a piece, and in a cell where it has any."""
     cells = cells_of(scene)
     return LinearMode(scene.pair, side, piece) if cells is None else cells.mode(piece, side, cell)
+
+
+def first_mode(scene: Scene, piece: ExactPiece, side: int) -> LinearMode:
+    """Return a linear mode in the cell in which bodies that stick from the start are."""
+    cells = cells_of(scene)
+    return mode_in(scene, piece, side, (0, cells.begun[1]) if cells else PLAIN)
 
 
 def _lines(points: Sequence[tuple[Fraction, Fraction]]) -> list[Line]:

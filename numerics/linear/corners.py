@@ -19,10 +19,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from numerics.linear.exact_start import ExactKnot, exact_knots, exact_motion, held_pieces
+from numerics.linear.cells import first_mode
+from numerics.linear.exact_start import ExactKnot, ExactMotion, exact_knots, exact_motion
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.polynomial_root import touches
-from numerics.linear.ties import MARGINAL, load_form
+from numerics.linear.ties import MARGINAL, applied, exact_z
 from numerics.scene import Scene
 
 _REGULAR = 2
@@ -31,57 +32,56 @@ _REGULAR = 2
 
 def corner(scene: Scene, pieces: Sequence[ExactPiece], until: float) -> str | None:
     """Return what leaves a scene without derivatives, and when, if its motion meets that up to a time (s); exact."""
-    knots, pieces = exact_knots(scene, pieces), held_pieces(scene, pieces)
+    knots = exact_knots(scene, pieces)
     for knot, after in zip(knots, [*knots[1:], None], strict=True):
-        begun = pieces[knot.piece].start + knot.local
+        piece = pieces[knot.piece]
+        begun = piece.start + knot.local
         if begun > until:
             return None
-        what = _in_segment(scene, pieces[knot.piece], knot)
+        motion = exact_motion(scene, piece, knot)
+        what = _in_segment(motion, knot)
         if what is not None:
             return f"after t = {float(begun):.6g} s {what}"
-        if after is None:
-            at, what = scene.until, _at_the_end(scene, pieces, knot)
+        if after is not None:
+            at, what = pieces[after.piece].start + after.local, _between(scene, piece, knot, after)
         else:
-            at, what = pieces[after.piece].start + after.local, _between(scene, pieces, knot, after)
+            at, what = scene.until, _at_the_end(scene, motion, knot)
         if what is not None and at <= until:
             return f"at t = {float(at):.6g} s {what}"
     return None
 
 
-def _in_segment(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> str | None:
+def _in_segment(motion: ExactMotion | None, knot: ExactKnot) -> str | None:
     """Return what is wrong with the motion from a knot to the next."""
     if knot.order == MARGINAL:
         return "stick is the motion of a slip as well"
-    motion = exact_motion(scene, piece, knot) if knot.mode else None
-    guards = motion.guards() if motion is not None else None
+    guards = motion.guards() if motion is not None and knot.mode else None
     slides = guards is not None and touches(guards, Fraction(0), knot.quiet - knot.local)
     return "the bodies' velocities touch in a slip" if slides else None
 
 
-def _between(scene: Scene, pieces: Sequence[ExactPiece], one: ExactKnot, two: ExactKnot) -> str | None:
+def _between(scene: Scene, before: ExactPiece, one: ExactKnot, two: ExactKnot) -> str | None:
     """Return what is wrong with the knot between two segments."""
-    before = pieces[one.piece]
-    if one.piece == two.piece:
-        load = load_form(scene.pair, before, two.local, two.state)
-        has_slope = two.order <= _REGULAR if one.mode == 0 else load != one.mode * before.b
+    stick, ends_here = first_mode(scene, before, 0), one.piece == two.piece
+    z = exact_z(before, 0, two.local if ends_here else before.length, two.state)
+    load = applied(stick.load, z)
+    is_at_edge = load * load.sign() == applied(stick.friction, z)
+    if ends_here:
+        has_slope = two.order <= _REGULAR if one.mode == 0 else not (is_at_edge and load.sign() == one.mode)
         return "an event comes without a slope" if two.is_event and not has_slope else None
     if one.mode != 0:
-        return "a slip ends where a piece begins" if two.v1 == two.v2 else None
-    if not two.is_event:
-        return None
-    load = load_form(scene.pair, before, before.length, two.state)
-    if load * load.sign() == before.b:
+        return "a slip ends where a piece begins" if two.gap == 0 else None
+    if two.is_event and is_at_edge:
         return "stick ends where a piece begins"
-    return "a jump takes the load onto the edge" if two.order >= _REGULAR else None
+    return "a jump takes the load onto the edge" if two.is_event and two.order >= _REGULAR else None
 
 
-def _at_the_end(scene: Scene, pieces: Sequence[ExactPiece], last: ExactKnot) -> str | None:
+def _at_the_end(scene: Scene, motion: ExactMotion | None, last: ExactKnot) -> str | None:
     """Return what is wrong with the horizon, if the motion is known exactly up to there."""
-    piece = pieces[last.piece]
-    if last.piece + 1 < len(pieces) or last.quiet < piece.length or last.mode == 0:
+    if motion is None or not motion.ends or last.mode == 0:
         return None
-    motion = exact_motion(scene, piece, last)
-    if motion is None or not motion.ends:
+    piece = motion.mode.piece
+    if piece.start + piece.length < scene.until or last.quiet < piece.length:
         return None
     end = motion.at(piece.length)
-    return "a slip ends on the horizon" if end.v1 == end.v2 else None
+    return "a slip ends on the horizon" if end.gap == 0 else None

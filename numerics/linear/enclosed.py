@@ -17,13 +17,12 @@ from numerics.errors import EventUndecided
 from numerics.linear.cells import VANISHES
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Expansion
-from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, X1, X2
-from numerics.linear.next_enclosed import SHY, Root, next_event, short_step, slow_curves
+from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, WALL, X1, X2
+from numerics.linear.next_enclosed import CLEAR, SHY, Root, next_event, short_step, slow_curves
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
-from numerics.linear.search import CLEAR
 from numerics.linear.sine_form import SineForm
-from numerics.linear.system import dot
+from numerics.linear.system import LinearMode, dot
 from numerics.linear.ties import mode_after, signal_form
 from numerics.scene import Scene
 
@@ -96,13 +95,12 @@ class EnclosedRun(EnclosedPath):
     def resolve(self, at: At, root: Root) -> tuple[At, arb, list[arb]]:
         """Return the point after the root of a guard, in the mode or cell that follows, and time and state there."""
         local, t, late, norm = root.local, root.tau, root.late, at.norm
-        if self.varies:
-            norm = norm * self.growth(at, t)
-            reached = self.parted(at._replace(norm=norm), t, 2 * late)
-            # about the event both motions may be in different cells
-            norm = norm + 4 * self.kappa * self.pulling * reached * late
-            norm = norm * (2 * self.kappa**2 * self.falling * late).exp()
-            at = at._replace(norm=norm)
+        norm = norm * self.growth(at, t)
+        reached = self.parted(at._replace(norm=norm), t, 2 * late)
+        # about the event both motions may be in different cells
+        norm = norm + 4 * self.kappa * self.pulling * reached * late
+        norm = norm * (2 * self.kappa**2 * self.falling * late).exp()
+        at = at._replace(norm=norm)
         state, here, bends = root.motion.state(t), widened(local, late), root.motion.bends(t + arb(0, late))
         at_knot = at.mode != 0 and (root.guard.kind != FLOOR or at.cell[0] > 0)
         event = self.around(at, t, state, bends, late, together=not at_knot)
@@ -129,7 +127,8 @@ class EnclosedRun(EnclosedPath):
         load, b = dot(flow.load, z), self.edge(there, flow, z)
         above = self.kept * b * late  # while one sticks at more than b and the other slips
         if at.mode:
-            contact = self.mirrored(at)
+            # a slip comes back to v1 = v2 at the mirror image of where it left
+            contact = None if at.contact is None else 2 * self.balance(at, at.mode) - at.contact
             if contact is None:
                 mode = self.on_surface(at, load, b, arb(0))
                 order = abs(mode)
@@ -146,19 +145,21 @@ class EnclosedRun(EnclosedPath):
         else:
             mode, order, after = 1 - 2 * root.guard.row, 2, arb(0)
             contact = self.balance(at, mode) if self.is_closed(at) and self.kept == 0 else None
-            off, speed = 2 * b * span + above, kappa**2 * b * span
             if self.kept > 0:
                 order = 1
             else:
-                bend = -Expansion(flow, z, arb(0)).guard(root.guard.row).polynomial[1] * kappa * kappa
+                bend = -Expansion(flow, z, arb(0)).guards()[root.guard.row].polynomial[1] * kappa * kappa
                 if not bend > 0:
                     raise self.undecided(at)
                 # where the load is not quite b, the slip starts a little later than here
                 span = span + 2 * kappa * kappa * root.value / bend
-                off, speed = 2 * b * span, kappa**2 * b * span
-        if self.varies:  # by how much F is not B(0) + C in between
-            off = off + 4 * speed * span * (self.steep + self.pulling * span)
-        return self.entered(at._replace(mode=mode, late=after, contact=contact, is_slow=False), order, event), off
+            off, speed = 2 * b * span + above, kappa**2 * b * span
+        # by how much F is not B(0) + C in between
+        off = off + 4 * speed * span * (self.steep + self.pulling * span)
+        at = at._replace(mode=mode, late=after, contact=None, is_slow=False)
+        if mode and contact is not None:
+            at = self.on_circle(at, contact)
+        return self.entered(at, order, event), off
 
     def on_surface(self, at: At, load: arb, b: arb, error: arb) -> int:
         """Return the mode that follows v1 = v2 after a point, from the load (N), which is known up to an error."""
@@ -168,18 +169,15 @@ class EnclosedRun(EnclosedPath):
             return 1 if load > 0 else -1
         raise self.undecided(at)
 
-    def mirrored(self, at: At) -> Fraction | None:
-        """Return x1 where a slip comes back to v1 = v2, if it is known exactly: the mirror image of where it left."""
-        if at.contact is None or not self.is_closed(at):
-            return None
-        return 2 * self.balance(at, at.mode) - at.contact
-
     def exactly_after(self, at: At, contact: Fraction) -> tuple[int, int]:
-        """Return the mode that follows a contact at this x1, and how many derivatives of its guard vanish there."""
+        """Return the mode that follows a contact at this stretch, and how many derivatives of its guard vanish there.
+
+        It is as if it came when the piece begins: since then only the wall may have moved, at a constant speed.
+        """
         piece = self.pieces[at.piece]
-        speed = signal_form(piece, BELT, Fraction(0))
-        state = SineForm(contact), speed, SineForm(), speed
-        return mode_after(self.pair, piece, Fraction(0), state, literal=False)
+        speed, wall = (signal_form(piece, one, Fraction(0)) for one in (BELT, WALL))
+        state = wall + contact, speed, SineForm(), speed
+        return mode_after(LinearMode(self.pair, 0, piece), Fraction(0), state)
 
     def entered(self, at: At, order: int, state: Sequence[arb]) -> At:
         """Return a point at v1 = v2 in the cell in which its mode goes on."""
@@ -268,16 +266,15 @@ class EnclosedRun(EnclosedPath):
         """Return an exact knot as a point; the motion starts within its rounding."""
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
         at = At(knot.mode, (knot.order, 0), knot.piece, local, state, zero, zero, zero, zero)
-        x1, v1 = knot.x1.rational, knot.v1.rational
-        if knot.mode and x1 is not None and v1 is not None:
-            contact = x1 if (knot.v1 - knot.v2).sign() == 0 else None
-            at = at._replace(contact=contact, is_slow=self.stays_slow(at, knot.local, x1, v1))
-        if self.varies and knot.mode == 0:
-            at = at._replace(apart=(knot.x1 - knot.x2).rational, cell=(0, self.cells.begun[1]))
-        elif self.varies:
-            cell, orders = self.cells.start(self.pieces[knot.piece], knot.mode, knot.local, knot.state, knot.order)
-            at = at._replace(cell=cell, orders=orders)
-            if not self.arithmetic.number(0).is_zero():  # a box of starts
+        piece, v1 = self.pieces[knot.piece], knot.state[V1].rational
+        stretch = (knot.state[X1] - signal_form(piece, WALL, knot.local)).rational
+        if knot.mode and self.is_closed(at) and stretch is not None and v1 is not None:
+            at = self.on_circle(at, stretch, v1)
+        if self.varies:
+            cell, orders = self.cells.start(piece, knot.mode, knot.local, knot.state, knot.order)
+            apart = None if knot.mode else (knot.state[X1] - knot.state[X2]).rational
+            at = at._replace(cell=cell, orders=orders, apart=apart)
+            if knot.mode and not self.arithmetic.number(0).is_zero():  # a box of starts
                 self.interval(at, state)
         start = local.lower()
         if knot.local:  # a time that is rounded, by as much before the knot

@@ -132,7 +132,7 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | N
         row[: len(CODES)] = one.mode, order, one.is_event, one.is_jump, one.piece, cell
         row[AT["local"] : AT["length"]] = halves(one.local)
         row[AT["length"]] = rounded(t - before)
-        row[_STATE] = [rounded(form.rounded(256)) for form in (one.x1, one.v1, one.x2, one.v2)]
+        row[_STATE] = [rounded(form.rounded(256)) for form in one.state]
     rows[:, AT["x1_error"] : AT["speed_error"]] = UNIT * np.abs(rows[:, _STATE])
     norm, (x1, v1, _, v2) = prepared.problem.norm, rows[:, AT["x1_error"] : AT["speed_error"]].T
     rows[:, AT["speed_error"]] = (norm.root_a2 * x1 + norm.root_m1 * v1 + norm.root_m2 * v2) / norm.root_m1

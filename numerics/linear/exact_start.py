@@ -13,7 +13,7 @@ from fractions import Fraction
 from math import factorial
 from typing import NamedTuple
 
-from numerics.linear.cells import cells_of
+from numerics.linear.cells import cells_of, first_mode
 from numerics.linear.model import BELT, FIRST, V1, V2, X1
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of
@@ -23,7 +23,7 @@ from numerics.linear.system import LinearMode, Row, sparse
 from numerics.linear.ties import applied, exact_z, mode_after, signal_form
 from numerics.scene import Law, Scene
 
-_NONE, _SINE, _COSINE = Fraction(0), (Fraction(1), Fraction(0)), (Fraction(0), Fraction(1))
+_NONE = Fraction(0)
 
 
 class ExactKnot(NamedTuple):
@@ -35,10 +35,8 @@ class ExactKnot(NamedTuple):
 
     piece: int
     local: Fraction
-    x1: SineForm
-    v1: SineForm
-    x2: SineForm
-    v2: SineForm
+    state: tuple[SineForm, ...]
+    """x1, v1, x2, v2"""
     mode: int
     order: int
     is_event: bool
@@ -46,36 +44,30 @@ class ExactKnot(NamedTuple):
     quiet: Fraction
 
     @property
-    def state(self) -> tuple[SineForm, ...]:
-        """Return x1, v1, x2, v2."""
-        return self.x1, self.v1, self.x2, self.v2
+    def gap(self) -> SineForm:
+        """Return v1 - v2."""
+        return self.state[V1] - self.state[V2]
 
 
 def exact_knots(scene: Scene, pieces: Sequence[ExactPiece]) -> list[ExactKnot]:
     """Return the segments that are known exactly, in order; the last one goes on in numbers."""
-    at = scene.initial
+    at, cells = scene.initial, cells_of(scene)
     x1, v1, x2, v2 = (SineForm(one) for one in (at.x1, at.v1, at.x2, at.v2))
-    pieces = held_pieces(scene, pieces)
     if scene.pair.is_fixed:
         v2 = signal_form(pieces[0], BELT, Fraction(0))
-    gap = (v1 - v2).sign()
-    knot = ExactKnot(0, Fraction(0), x1, v1, x2, v2, gap, 0, False, True, Fraction(0))
-    after: ExactKnot | None = knot if gap else _decided(scene, pieces, knot)._replace(is_event=False)
+    state, side = (x1, v1, x2, v2), (v1 - v2).sign()
+    knot = ExactKnot(0, Fraction(0), state, side, 0, False, True, Fraction(0))
+    if side == 0:
+        if cells is not None:
+            cells.start(pieces[0], 0, knot.local, state, 0)  # raises where friction vanishes
+        knot = _decided(scene, pieces, knot)._replace(is_event=False)
+    after: ExactKnot | None = knot
     found: list[ExactKnot] = []
     while after is not None:
         quiet, follows = _followed(scene, pieces, after)
         found.append(after._replace(quiet=quiet))
         after = follows
     return found
-
-
-def held_pieces(scene: Scene, pieces: Sequence[ExactPiece]) -> Sequence[ExactPiece]:
-    """Return the pieces with what friction can hold for b, if it depends on the place and the bodies begin stuck."""
-    cells, at = cells_of(scene), scene.initial
-    if cells is None or at.v1 != at.v2:
-        return pieces
-    held = cells.at_rest(at.x1 - at.x2) / scene.pair.b  # so long as the bodies stick it stays
-    return [one.with_friction(one.b * held) for one in pieces]
 
 
 def mode_at_start(scene: Scene) -> Mode:
@@ -89,13 +81,14 @@ class ExactMotion:
     `terms` are the Taylor coefficients of that, if it `ends`: then it is a polynomial of the time since the knot.
     """
 
-    def __init__(self, scene: Scene, piece: ExactPiece, knot: ExactKnot) -> None:
+    def __init__(self, mode: LinearMode, knot: ExactKnot) -> None:
         """Form them. Raises ZeroDivisionError at a resonance without damping."""
-        self.knot, self.piece, self.mode = knot, piece, LinearMode(scene.pair, knot.mode, piece)
-        sines, self.A = self.mode.sine_places, [dict(sparse(row)) for row in self.mode.generator()]
-        self.answers = {place: self._answer(place) for place in sines}
-        z = exact_z(piece, knot.mode, knot.local, knot.state)
-        y = [one - two for one, two in zip(z, self.steady(z), strict=False)] + z[FIRST : sines.start]
+        self.knot, self.mode, self.first = knot, mode, mode.sine_places.start
+        self.A = [dict(sparse(row)) for row in mode.generator()]
+        self.steady = self._steady()
+        """Of x1, v1, x2, v2 the rows of the steady answers."""
+        z = self.z(knot.local)
+        y = [one - applied(row, z) for one, row in zip(z, self.steady, strict=False)] + z[FIRST : self.first]
         self.terms: list[list[SineForm]] = []
         while any(one.sign() for one in y) and len(self.terms) < len(y) + 4:
             self.terms.append(y)
@@ -103,45 +96,45 @@ class ExactMotion:
             y = [applied(row, y) * Fraction(1, len(self.terms)) for row in rates]
         self.ends = not any(one.sign() for one in y)
 
-    def _answer(self, sine: int) -> dict[int, tuple[Fraction, Fraction]]:
-        """Return the steady answer to a sine of what stands in z: so much of the sine, and of its cosine."""
-        omega, found = self.A[sine][sine + 1], {sine: _SINE, sine + 1: _COSINE}
-        for V in (V1, V2):
-            row = self.A[V]
-            on_sine, on_cosine = (row.get(place, _NONE) for place in (sine, sine + 1))
-            # in stick both bodies go together
-            stiff, drag = -row.get(X1, _NONE) - omega**2, -row.get(V1, _NONE) * omega
-            square = stiff**2 + drag**2
-            one, two = (on_sine * stiff + on_cosine * drag) / square, (on_cosine * stiff - on_sine * drag) / square
-            found |= {V - 1: (one, two), V: (-two * omega, one * omega)}
-        return found
+    def z(self, local: Fraction) -> list[SineForm]:
+        """Return z at a time in the piece, with the state of the knot."""
+        return exact_z(self.mode.piece, self.knot.mode, local, self.knot.state)
 
-    def steady(self, z: Sequence[SineForm]) -> list[SineForm]:
-        """Return x1, v1, x2, v2 of all steady answers."""
-        found = [SineForm()] * FIRST
-        for place, answer in self.answers.items():
-            for k in range(FIRST):
-                found[k] = found[k] + z[place] * answer[k][0] + z[place + 1] * answer[k][1]
-        return found
+    def _steady(self) -> list[Row]:
+        rows: list[dict[int, Fraction]] = [{} for _ in range(FIRST)]
+        for sine in self.mode.sine_places:
+            omega = self.A[sine][sine + 1]
+            for V in (V1, V2):
+                row = self.A[V]
+                on_sine, on_cosine = (row.get(place, _NONE) for place in (sine, sine + 1))
+                # in stick both bodies go together
+                stiff, drag = -row.get(X1, _NONE) - omega**2, -row.get(V1, _NONE) * omega
+                square = stiff**2 + drag**2
+                one, two = (on_sine * stiff + on_cosine * drag) / square, (on_cosine * stiff - on_sine * drag) / square
+                rows[V - 1] |= {sine: one, sine + 1: two}
+                rows[V] |= {sine: -two * omega, sine + 1: one * omega}
+        return [tuple(row.items()) for row in rows]
 
     def at(self, local: Fraction) -> ExactKnot:
         """Return the knot moved to a later time in the piece."""
-        state = self.steady(exact_z(self.piece, self.knot.mode, local, self.knot.state))
-        for n, term in enumerate(self.terms):
-            state = [one + c * (local - self.knot.local) ** n for one, c in zip(state, term, strict=False)]
-        x1, v1, x2, v2 = state
-        return self.knot._replace(local=local, x1=x1, v1=v1, x2=x2, v2=v2)
+        z, since = self.z(local), local - self.knot.local
+        state = (
+            sum((term[k] * since**n for n, term in enumerate(self.terms)), applied(row, z))
+            for k, row in enumerate(self.steady)
+        )
+        return self.knot._replace(local=local, state=tuple(state))
 
     def guard(self, row: Row) -> list[Fraction] | None:
         """Return the Taylor coefficients of a guard without its sines; None if they are not rational."""
-        row = tuple((place, c * (self.knot.mode or 1)) for place, c in row if place < self.mode.sine_places.start)
+        row = tuple((place, c * (self.knot.mode or 1)) for place, c in row if place < self.first)
         found = [applied(row, term).rational for term in self.terms]
         return [one for one in found if one is not None] if None not in found else None
 
     def guards(self) -> list[list[Fraction]] | None:
         """Return the guards, which must not become negative, as polynomials of the time since the knot, if they are."""
         found = [one for one in map(self.guard, self.mode.guards) if one is not None]
-        return None if self.answers or not self.ends or len(found) < len(self.mode.guards) else found
+        has_waves = self.first < self.mode.size
+        return None if has_waves or not self.ends or len(found) < len(self.mode.guards) else found
 
     def stays(self) -> bool:
         """Return whether stick never ends: its guards are a constant but for one oscillation, and may touch 0 for ever.
@@ -158,9 +151,12 @@ class ExactMotion:
             if any(two + k * one for one, two in zip((rate, bend, *later), later, strict=False)):
                 return False
             swing, squares = -bend / k, [(bend / k) ** 2 + rate**2 / k]
-            for answer, size in zip(self.answers.values(), self.mode.amplitudes, strict=True):
-                parts = (sum(c * answer[place][n] for place, c in row if place in answer) for n in (0, 1))
-                squares.append(size**2 * sum(one**2 for one in parts))
+            waves = [_NONE] * self.mode.size
+            for place, c in row:
+                for at, answer in self.steady[place] if place < FIRST else ((place, 1),):
+                    waves[at] += c * answer
+            amplitudes = zip(self.mode.sine_places, self.mode.amplitudes, strict=True)
+            squares += [size**2 * (waves[n] ** 2 + waves[n + 1] ** 2) for n, size in amplitudes]
             room = value - swing
             if room < 0 or sum(squares) > room**2 or sum(map(bool, squares)) > 1:
                 return False
@@ -172,7 +168,7 @@ def exact_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> ExactMotio
     if knot.mode and scene.friction.weakening:
         return None
     try:
-        return ExactMotion(scene, piece, knot)
+        return ExactMotion(first_mode(scene, piece, knot.mode), knot)
     except ZeroDivisionError:
         return None
 
@@ -183,9 +179,10 @@ def _followed(scene: Scene, pieces: Sequence[ExactPiece], knot: ExactKnot) -> tu
     motion = exact_motion(scene, piece, knot)
     if motion is None:
         return knot.local, None
-    lasts, guards = motion.stays() or (knot.mode == 0 and scene.law is Law.THREE_VALUED_SGN), motion.guards()
+    stays, guards = motion.stays(), motion.guards()
+    lasts = stays or (knot.mode == 0 and scene.law is Law.THREE_VALUED_SGN)
     if not motion.ends or (guards is None and not lasts):
-        return piece.length if motion.stays() else knot.local, None
+        return piece.length if stays else knot.local, None
     until = piece.length
     if not lasts and guards is not None:
         until, is_root = first_crossing(guards, Fraction(0), until - knot.local)
@@ -197,8 +194,8 @@ def _followed(scene: Scene, pieces: Sequence[ExactPiece], knot: ExactKnot) -> tu
     # a slip that ends where a piece begins ends by itself; stick there ends by what jumps
     jumped = motion.at(until)._replace(piece=knot.piece + 1, local=Fraction(0), is_jump=knot.mode == 0 or not is_root)
     if scene.pair.is_fixed:
-        jumped = jumped._replace(v2=signal_form(pieces[jumped.piece], BELT, Fraction(0)))
-    side = (jumped.v1 - jumped.v2).sign()
+        jumped = jumped._replace(state=(*jumped.state[:V2], signal_form(pieces[jumped.piece], BELT, Fraction(0))))
+    side = jumped.gap.sign()
     if side == 0:
         return until, _decided(scene, pieces, jumped)
     return until, jumped._replace(mode=side, order=0, is_event=side != knot.mode)
@@ -206,6 +203,7 @@ def _followed(scene: Scene, pieces: Sequence[ExactPiece], knot: ExactKnot) -> tu
 
 def _decided(scene: Scene, pieces: Sequence[ExactPiece], at: ExactKnot) -> ExactKnot:
     """Return a knot with v1 = v2 as the start of the mode that follows there."""
-    literal = scene.law is Law.THREE_VALUED_SGN
-    mode, order = mode_after(scene.pair, pieces[at.piece], at.local, at.state, literal=literal)
+    mode, order = 0, 0
+    if scene.law is not Law.THREE_VALUED_SGN:
+        mode, order = mode_after(first_mode(scene, pieces[at.piece], 0), at.local, at.state)
     return at._replace(mode=mode, order=order, is_event=mode != at.mode)

@@ -152,86 +152,71 @@ def add_signal(row: Any, block: Any, factor: Any) -> None:
         row[block[2] + 2 * k] += factor
 
 
-@compilable
-def add_rate(row: Any, block: Any, omegas: Any, factor: Any) -> None:
-    """Add a multiple of a signal's derivative to a row; `omegas` are those of all sines."""
-    if block[1] > 1:
-        row[block[0] + 1] += factor
-    for k in range(block[3]):
-        place = block[2] + 2 * k + 1
-        row[place] += factor * omegas[place]
-
-
 @compilable_with(makes_arrays=True, forceinline=False)
 def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any, Any], rows: Rows) -> None:
     """Write the matrices of a pair, in the numbers of `bodies`; omegas (n,): that of a sine stands at its cosine.
 
     `cell`: slope (N s/m), pull (N/m) and level of friction, level b + slope (v1 - v2) + pull (x1 - x2) in a slip +.
+    Rows are written place by place: as if of all z only that one were 1.
     """
-    (A, guards, others, powers), n = rows, omegas.shape[0]
-    push, second, belt_rate = np.zeros_like(others[0]), np.zeros_like(others[0]), np.zeros_like(others[0])
-    for mode in range(2):
-        put_drive(A[mode], blocks, omegas)
-        put_powers(bodies, blocks, omegas, powers[mode])
-    for j in range(n):
-        push[j] = powers[SLIP, 5, 0, j]
-    add_signal(push, blocks[FORCE], 1)
-    add_signal(second, blocks[FORCE_2], 1)
-    add_rate(belt_rate, blocks[BELT], omegas, 1)
-    add_signal(others[DRIVEN], blocks[BELT], 1)
-    slope, pull, level = cell
-    add_signal(others[KINETIC], blocks[FRICTION], level)
-    add_signal(others[EDGE], blocks[FRICTION], bodies.static * level)
-    for edge in (KINETIC, EDGE):
-        others[edge, X1] += pull
-        others[edge, X2] -= pull
-    for j in range(n):
-        load = bodies.share_2 * push[j] - bodies.share_1 * second[j] - bodies.m1 * belt_rate[j]
-        others[LOAD, j] = load
-        guards[STICK, 0, j], guards[STICK, 1, j] = others[EDGE, j] - load, others[EDGE, j] + load
-    guards[SLIP, 0, V1] += 1
-    guards[SLIP, 0, V2] -= 1
-    others[KINETIC, V1] += slope
-    others[KINETIC, V2] -= slope
-    for j in range(n):
-        A[SLIP, V1, j] = bodies.inverse_1 * (push[j] - others[KINETIC, j])
-        A[SLIP, V2, j] = bodies.inverse_2 * (second[j] + others[KINETIC, j]) + belt_rate[j]
-        A[STICK, V1, j] = A[STICK, V2, j] = bodies.inverse_both * (push[j] + second[j]) + belt_rate[j]
-        powers[SLIP, 0, 0, j], powers[SLIP, 0, 1, j] = others[KINETIC, j], guards[SLIP, 0, j]
-        powers[SLIP, 4, 0, j], powers[STICK, 4, 0, j] = -others[KINETIC, j], -others[LOAD, j]
-        powers[SLIP, 4, 1, j] = powers[STICK, 4, 1, j] = others[DRIVEN, j]
+    (A, guards, others, powers), (slope, pull, level) = rows, cell
+    signals = np.zeros_like(powers[:, :5, 0])
+    put_signals(blocks, omegas, A, signals)
+    for j in range(omegas.shape[0]):
+        x1, v1, x2, v2 = int(j == X1), int(j == V1), int(j == X2), int(j == V2)
+        u, f, c, y, b = signals[0, :, j]
+        belt_rate, wall_rate = signals[1, BELT, j], signals[1, WALL, j]
+        w, stretching, apart = v1 - v2, v1 - wall_rate, pull * (x1 - x2)
+        spring = -bodies.a2 * (x1 - y) - bodies.a1 * stretching
+        push = spring + u
+        load = bodies.share_2 * push - bodies.share_1 * f - bodies.m1 * belt_rate
+        edge, kinetic = bodies.static * level * b + apart, level * b + slope * w + apart
+        A[SLIP, V1, j] += bodies.inverse_1 * (push - kinetic)
+        A[SLIP, V2, j] += bodies.inverse_2 * (f + kinetic) + belt_rate
+        guards[SLIP, 0, j] += w
+        guards[STICK, 0, j] += edge - load
+        guards[STICK, 1, j] += edge + load
+        others[LOAD, j] += load
+        others[EDGE, j] += edge
+        others[KINETIC, j] += kinetic
+        others[DRIVEN, j] += c
+        for mode in range(2):
+            A[mode, X1, j] += v1
+            A[mode, X2, j] += v2
+            A[STICK, V1 + 2 * mode, j] += bodies.inverse_both * (push + f) + belt_rate
+            own, held = powers[mode], kinetic if mode == SLIP else load
+            if mode == SLIP:
+                put_power(own[0], j, kinetic, w)
+            put_power(own[1], j, bodies.a1 * stretching, stretching)
+            put_power(own[2], j, u, v1)
+            put_power(own[3], j, f, v2)
+            put_power(own[4], j, -held, c)
+            put_power(own[5], j, spring, wall_rate)
 
 
 @compilable
-def put_powers(bodies: Bodies, blocks: Any, omegas: Any, powers: Any) -> None:
-    """Write what is the same in slip and stick: a1 (v1 - y')^2, u v1, f v2, and the speed of the wall."""
-    powers[1, 1, V1] += 1
-    add_rate(powers[1, 1], blocks[WALL], omegas, -1)
-    powers[1, 0, V1] += bodies.a1
-    add_rate(powers[1, 0], blocks[WALL], omegas, -bodies.a1)
-    powers[5, 0, X1] -= bodies.a2
-    powers[5, 0, V1] -= bodies.a1
-    add_signal(powers[5, 0], blocks[WALL], bodies.a2)
-    add_rate(powers[5, 0], blocks[WALL], omegas, bodies.a1)
-    add_signal(powers[2, 0], blocks[FORCE], 1)
-    powers[2, 1, V1] += 1
-    add_signal(powers[3, 0], blocks[FORCE_2], 1)
-    powers[3, 1, V2] += 1
-    add_rate(powers[5, 1], blocks[WALL], omegas, 1)
+def put_power(power: Any, j: int, one: Any, two: Any) -> None:
+    """Write the factors of a power at a place."""
+    power[0, j] += one
+    power[1, j] += two
 
 
 @compilable
-def put_drive(A: Any, blocks: Any, omegas: Any) -> None:
-    """Write what is no mechanics: x' = v, and how polynomials and sines go on."""
-    A[X1, V1] += 1
-    A[X2, V2] += 1
+def put_signals(blocks: Any, omegas: Any, A: Any, signals: Any) -> None:
+    """Write how polynomials and sines go on, and the rows of each signal and of its derivative."""
     for signal in range(blocks.shape[0]):
         first, terms, sines, waves = blocks[signal]
+        add_signal(signals[0, signal], blocks[signal], 1)
+        if terms > 1:
+            signals[1, signal, first + 1] += 1
+        for place in range(sines + 1, sines + 2 * waves, 2):
+            signals[1, signal, place] += omegas[place]
+            for mode in range(2):
+                A[mode, place - 1, place] += omegas[place]
+                A[mode, place, place - 1] -= omegas[place]
         for k in range(first, first + terms - 1):
-            A[k, k + 1] += 1
-        for place in range(sines, sines + 2 * waves, 2):
-            A[place, place + 1] += omegas[place + 1]
-            A[place + 1, place] -= omegas[place + 1]
+            A[SLIP, k, k + 1] += 1
+            A[STICK, k, k + 1] += 1
 
 
 Cell = tuple[Fraction, Fraction, Fraction]

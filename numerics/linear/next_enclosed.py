@@ -1,24 +1,29 @@
 """The search for the next event from a point of the path: where a guard vanishes first, and how far off that is.
 
 Short steps look at a Taylor polynomial of the guards, long ones at what is slow in them and the amplitude of the rest.
-An event is off by the guard's error over its slope.
+Nothing is sampled: on an interval a polynomial lies between the least and the greatest of its Bernstein coefficients.
+They are formed in balls, so no rounding is lost, and what the polynomial leaves out is added to its bounds. An event is
+off by the guard's error over its slope.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from functools import lru_cache
+from itertools import pairwise
 from typing import NamedTuple
 
-from flint import arb
+from flint import arb, arb_mat, arb_poly, ctx
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
 from numerics.linear.cells import VANISHES
-from numerics.linear.flow import REACH, Expansion
+from numerics.linear.flow import REACH, Curve, Expansion
 from numerics.linear.model import AHEAD
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
-from numerics.linear.search import CLEAR, Clear, Curve, Polynomial, march, newton
 from numerics.linear.swings import Swings
 from numerics.linear.ties import MARGINAL
 
@@ -36,6 +41,11 @@ _TOO_FAST, _SCAN_BITS, _SHARP_BITS = arb((1, 1024)), 128, 2_400
 _NEAR, SHY = arb((1, -24)), 1 - arb((1, -20))
 """A guard that exceeds its margin by no more than the first factor is near 0. A step ends at SHY of the time that is
 proved."""
+CLEAR, UNKNOWN = -1, -2
+"""No guard vanishes; that is not proved. Otherwise the answer is the index of the guard that does."""
+_RATIO, _BEHIND = arb("0.4873"), arb((1, -12))
+"""Intervals are cut a little below their middle: a root at a round number is then seldom an end of one. When they are
+shorter than the time behind them by the second factor, it is better to look again from there."""
 
 
 class Root(NamedTuple):
@@ -51,6 +61,14 @@ class Root(NamedTuple):
     window: arb
     late: arb
     value: arb
+
+
+class Clear(NamedTuple):
+    """Up to `since` no guard vanishes; in the interval h behind it one falls through zero once, if there is a `hit`."""
+
+    since: arb
+    h: arb
+    hit: int = CLEAR
 
 
 def next_event(path: EnclosedPath, at: At) -> tuple[At, Root | None]:
@@ -80,7 +98,7 @@ def next_event(path: EnclosedPath, at: At) -> tuple[At, Root | None]:
         if local - at.local < local * arb((1, _RESOLVED - path.bits)):
             raise path.undecided(at)  # so short a step is in the rounding of time
         at, ready = path.evolved(at, local), ready + 1
-    curves = curves_of(path, at, path.motion(at).short(flow.reach))
+    curves = curves_of(path, at, path.motion(at).guards(flow.reach))
     if not all(one.polynomial[0] > one.margin / _NEAR for one in curves):
         raise path.undecided(at)  # more digits lead closer to the root
     raise OutOfRange(
@@ -89,7 +107,7 @@ def next_event(path: EnclosedPath, at: At) -> tuple[At, Root | None]:
     )
 
 
-def curves_of(path: EnclosedPath, at: At, guards: Sequence[Polynomial]) -> list[Curve]:
+def curves_of(path: EnclosedPath, at: At, guards: Sequence[Curve]) -> list[Curve]:
     """Return what is positive in a mode, from the rows of its flow; some of it may vanish here to some order.
 
     Of a slip the ends of its intervals of |w| and of x1 - x2, and B + C > 0; of stick the load below b on either side.
@@ -100,21 +118,20 @@ def curves_of(path: EnclosedPath, at: At, guards: Sequence[Polynomial]) -> list[
         margin, nearer = path.margin(at), int(not guards[0].polynomial[0].mid() < guards[1].polynomial[0].mid())
         orders = [at.orders[0] * (which == nearer) for which in range(2)]
         return [
-            Curve(*guards[which], margin=flow.apart(which, order) * norm if order else margin, order=order, row=which)
-            for which, order in enumerate(orders)
+            one._replace(margin=flow.apart[one.row][order] * norm if order else margin, order=order)
+            for one, order in zip(guards, orders, strict=True)
         ]
-    place = at.place + path.kappa * norm * flow.reach if path.varies else at.place
+    place = at.place + path.kappa * norm * flow.reach
     ends, may_vanish = cells.guards(side, at.cell)
     found = []
     for kind, sign, offset in ends:
         row, order = int(kind == AHEAD), 0 if kind == AHEAD else at.orders[kind]
-        (p, rest, terms), margin = guards[row], place if row else flow.apart(0, order) * norm
-        found.append(Curve(p * sign + number(offset), rest, terms, margin, order, row, kind))
+        curve, margin = guards[row].polynomial * sign + number(offset), place if row else flow.apart[0][order] * norm
+        found.append(guards[row]._replace(polynomial=curve, margin=margin, order=order, kind=kind))
     if may_vanish and path.varies:
         branch = cells.branch(path.pieces[at.piece], side, at.cell)
         margin = number(abs(branch.slope)) * path.kappa * norm + number(abs(branch.pull)) * place
-        p, rest, terms = guards[2]
-        found.append(Curve(p * side, rest, terms, margin, 0, 2, VANISHES))
+        found.append(guards[2]._replace(polynomial=guards[2].polynomial * side, margin=margin, kind=VANISHES))
     return found
 
 
@@ -123,7 +140,7 @@ def short_step(path: EnclosedPath, at: At, reach: arb) -> Clear:
     motion, begins = path.motion(at), any(at.orders)
     for bits in (_SCAN_BITS, min(path.bits, _SHARP_BITS)) if max(at.orders) < MARGINAL else ():
         with precision(bits):
-            guards = motion.short(reach)
+            guards = motion.guards(reach)
             later = curves_of(path, at._replace(orders=AWAY), guards)
             first = curves_of(path, at, guards) if begins else later
             fine = min(bits, _FINEST)
@@ -153,12 +170,12 @@ def long_step(path: EnclosedPath, at: At, left: arb) -> Clear | None:
 def slow_curves(path: EnclosedPath, at: At, *limits: arb) -> Iterator[list[Curve]]:
     """Yield the guards as polynomials with terms of rates below a limit; margins have the amplitude of the others."""
     motion, sign = path.motion(at), at.mode or 1
-    swings, guards = Swings(motion.flow, motion.z), curves_of(path, at, motion.short(motion.flow.reach))
+    swings, guards = Swings(motion.flow, motion.z), curves_of(path, at, motion.guards(motion.flow.reach))
     for limit in limits:
         found = []
         for one in guards:
-            (p, rest, terms), amplitude = swings.taken(motion.flow.bent[one.row], limit)
-            found.append(Curve(p * sign, rest, terms, one.margin + amplitude))
+            taken = swings.taken(motion.flow.bent[one.row], limit)
+            found.append(taken._replace(polynomial=taken.polynomial * sign, margin=one.margin + taken.margin))
         if limit.is_zero() or any(one.rest > 0 for one in found):
             yield found
 
@@ -166,8 +183,7 @@ def slow_curves(path: EnclosedPath, at: At, *limits: arb) -> Iterator[list[Curve
 def refined(path: EnclosedPath, at: At, found: Clear) -> Root:
     """Return the root of a guard in its bracket, by Newton's method."""
     motion, (since, h, hit), end = path.motion(at), found, found.since + found.h
-    rows = [motion.guard(which) for which in range(len(motion.flow.guards))]
-    guard = curves_of(path, at._replace(orders=AWAY), rows)[hit]
+    guard = curves_of(path, at._replace(orders=AWAY), motion.guards())[hit]
     curve, until, tau = guard.polynomial, 2 * end, since + h / 2
     for bits in reversed([path.bits >> k for k in range(8) if k == 0 or path.bits >> k > _COARSE]):
         with precision(bits):
@@ -175,12 +191,87 @@ def refined(path: EnclosedPath, at: At, found: Clear) -> Root:
     local = (at.local + tau).mid()
     tau = local - at.local  # so far the path goes; what that is rounded by counts as an error of the root
     # the true root is where the guard is between -reached and reached; between both ends its slope is known
-    off, slope = curve(tau).abs_upper() + guard.left_out(tau.abs_upper(), 0), curve.derivative()
+    off = guard.at(tau).abs_upper()
     reached = off + guard.margin
-    within = (2 * reached / abs(slope(tau)) + end * arb((1, -path.bits))).upper()
+    within = (2 * reached / abs(curve.derivative()(tau)) + end * arb((1, -path.bits))).upper()
     around = tau + arb(0, within)
-    steepness = (-slope(around) - guard.left_out(until, 1)).lower()
+    steepness = (-guard.at(around, 1)).lower()
     late = (reached / steepness).upper()
     if not (steepness > 0 and late < within and around < until):
         raise path.undecided(at)
     return Root(motion, guard, local, tau, (off / steepness).upper(), late, off.upper())
+
+
+def bernstein(p: arb_poly, since: arb, h: arb) -> list[arb]:
+    """Return the Bernstein coefficients of a polynomial from `since` on for a time h."""
+    shifted = p(arb_poly([since, h])).coeffs() or [arb(0)]
+    return (_bernstein_matrix(len(shifted) - 1, ctx.prec) * arb_mat(len(shifted), 1, shifted)).entries()
+
+
+@lru_cache(maxsize=64)
+def _bernstein_matrix(degree: int, _: int) -> arb_mat:
+    number, row = Ball.number, range(degree + 1)
+    return arb_mat([[number(Fraction(math.comb(i, k), math.comb(degree, k))) for k in row] for i in row])
+
+
+def look(curves: Sequence[Curve], since: arb, h: arb) -> int:
+    """Return whether no curve vanishes behind `since` for a time h, or which one falls through zero there, once.
+
+    At an end that counts the sign is proved, too.
+    """
+    hit, end = CLEAR, since + h
+    for index, one in enumerate(curves):
+        values, off = bernstein(one.derived(one.order), since, h), one.left_out(end, one.order) + one.margin
+        if all(value > off for value in values):
+            continue
+        # the slope has the Bernstein coefficients n (b_k+1 - b_k)/h
+        slack = one.left_out(end, 1) * h / max(1, len(values) - 1)
+        if one.order or len(values) == 1 or not all(two - before < -slack for before, two in pairwise(values)):
+            return UNKNOWN
+        if values[-1] > off:
+            continue
+        if not -values[-1] > off or hit != CLEAR:
+            return UNKNOWN
+        hit = index
+    return hit
+
+
+def march(
+    first: Sequence[Curve], later: Sequence[Curve], reach: arb, h: arb, least: arb, *, finds: bool = True
+) -> Clear | None:
+    """Return up to where no curve vanishes within reach, and what it finds there; None if digits do not tell anything.
+
+    The first interval looked at has length h, and the `first` curves; behind it are the `later` ones. None is shorter
+    than `least`.
+    """
+    since, curves = arb(0), first
+    while h > least.max(since * _BEHIND):
+        hit = look(curves, since, h)
+        if hit == UNKNOWN or (hit != CLEAR and not finds):
+            h = (h * _RATIO).mid()
+        elif hit != CLEAR:
+            return Clear(since, h, hit)
+        elif not since + h < reach:
+            return Clear(reach, reach)
+        else:
+            since, h, curves = (since + h).mid(), 2 * h, later
+            left = (reach - since).upper()
+            h = left if left < 2 * h else h
+    return Clear(since, h) if since > 0 else None
+
+
+def newton(curve: arb_poly, low: arb, high: arb, at: arb, settled: arb) -> arb:
+    """Return the root of a falling function between low and high from a guess; a change below `settled` is the last."""
+    slope = curve.derivative()
+    for _ in range(2_000):
+        value = curve(at).mid()
+        if value > 0:
+            low = at
+        else:
+            high = at
+        change = (value / slope(at)).mid()
+        after = (at - change).mid()
+        if abs(change) < settled:
+            return after
+        at = after if low < after < high else ((low + high) / 2).mid()
+    return at

@@ -26,10 +26,10 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
-from numerics.linear.flow import REACH, Expansion, Flow, exponential, flow_of
-from numerics.linear.model import BELT, FRICTION, STICK, V1, V2, X1, X2, exact_rows
-from numerics.linear.pieces import pieces_of
-from numerics.linear.system import BallDrive, LinearMode, LocalNorm, dot
+from numerics.linear.flow import Expansion, Flow, flow_of
+from numerics.linear.model import BELT, FRICTION, V1, V2, WALL, X1, X2
+from numerics.linear.pieces import pieces_of, polynomial_at
+from numerics.linear.system import BallDrive, LinearMode, LocalNorm, Motion, dot
 from numerics.scene import Law, Scene
 
 AWAY = (0, 0)
@@ -41,8 +41,8 @@ class At(NamedTuple):
 
     The state is a point; `norm` bounds N of its distance to the true one, `far` that of x1, `place` that of x1 - x2.
     The true motion sticks from up to `late` (s) after the path on. A slip is in a `cell` of friction, its guards are
-    those of cells.py; `apart` is x1 - x2 of a stick if it is known exactly, `contact` x1 where a slip left v1 = v2.
-    `is_slow`: it is known exactly that a slip does not come to v1 = v2, but for touches.
+    those of cells.py; `apart` is x1 - x2 of a stick if it is known exactly, `contact` how far the spring was
+    stretched where a slip left v1 = v2. `is_slow`: it is known exactly that a slip only touches v1 = v2, if at all.
     """
 
     mode: int
@@ -82,9 +82,6 @@ class EnclosedPath:
         self.speeds = 1 / norm.root_m1, arb(0) if self.is_fixed else 1 / norm.root_m2
         """Of v1 and v2."""
         self.falling, self.pulling, self.steep = map(number, (self.cells.falling, self.cells.pulling, self.cells.steep))
-        A = exact_rows(scene.pair, self.pieces[0].layout).A[STICK]
-        self.swing = [[Fraction(0), Fraction(1)], [A[V1, X1], A[V1, V1]]]
-        """Of (x1, v1) in stick."""
         self.undriven = self.is_fixed and scene.pair.a2 > 0 and not (scene.pair.a1 or self.varies or self.literal)
         static = scene.pair.b_static
         self.kept = number(1 - scene.pair.b / static) if static else arb(0)
@@ -119,39 +116,41 @@ class EnclosedPath:
             self.expanded = at, Expansion(flow, z, 2 * flow.reach)
         return self.expanded[1]
 
-    def is_closed(self, at: At, *, wall_may_move: bool = False) -> bool:
+    def is_closed(self, at: At) -> bool:
         """Return whether body 1 swings on its spring alone: no damper, ground or a belt, signals that are constants.
 
         In the frame of a wall that moves at a constant speed that is so, too.
         """
         *others, wall, friction = self.pieces[at.piece].signals
-        is_still = wall.constant is not None or (wall_may_move and not wall.sines and len(wall.polynomial) == 2)
-        return self.undriven and is_still and all(one.constant is not None for one in (*others, friction))
+        is_even = not wall.sines and len(wall.polynomial) <= 2
+        return self.undriven and is_even and all(one.constant is not None for one in (*others, friction))
 
     def lasts(self, at: At) -> bool:
         """Return whether a mode that begins here does not end in its piece, as is known exactly.
 
-        A slip that leaves a stick where friction is at its limit is a circle in (x1, v1), which only touches v1 = v2
-        again; at rest on the ground the load stays as it is.
+        At rest on the ground the load stays as it is, if the wall does not move.
         """
         if at.mode:
-            return (at.orders[0] == 2 or at.is_slow) and self.is_closed(at, wall_may_move=True)
-        return self.is_closed(at) and self.pieces[at.piece].signals[BELT].constant == 0
+            return at.is_slow
+        signals = self.pieces[at.piece].signals
+        return self.is_closed(at) and signals[BELT].constant == 0 and signals[WALL].constant is not None
 
-    def stays_slow(self, at: At, local: Fraction, x1: Fraction, v1: Fraction) -> bool:
-        """Return whether body 1, in a slip from here, is at no time faster than the belt, both beside the wall."""
-        if not self.is_closed(at, wall_may_move=True):
-            return False
-        force, _, belt, wall, b = self.pieces[at.piece].signals
-        place, speed, *_ = (*wall.polynomial, Fraction(0), Fraction(0))
-        pull = (force.constant or 0) - at.mode * (b.constant or 0)
-        stretch, pair = self.pair.a2 * (x1 - place - speed * local) - pull, self.pair
-        return stretch**2 / pair.a2 + pair.m1 * (v1 - speed) ** 2 <= pair.m1 * ((belt.constant or 0) - speed) ** 2
+    def on_circle(self, at: At, stretch: Fraction, v1: Fraction | None = None) -> At:
+        """Return a slip of a closed piece whose spring is stretched so far, exactly, at a speed v1 or at v1 = v2.
+
+        There (x1, v1) is a circle about its balance: it is slow if the belt is at all times at least as fast.
+        """
+        signals, pair = self.pieces[at.piece].signals, self.pair
+        belt, speed = signals[BELT].constant or Fraction(0), polynomial_at(signals[WALL].polynomial, Fraction(0), 1)
+        away, at_most = stretch - self.balance(at, at.mode), (belt - speed) ** 2
+        square = ((belt if v1 is None else v1) - speed) ** 2
+        is_slow = pair.a2 * away**2 + pair.m1 * square <= pair.m1 * at_most
+        return at._replace(is_slow=is_slow, contact=stretch if v1 in {None, belt} else None)
 
     def balance(self, at: At, side: int) -> Fraction:
-        """Return x1 where spring and force bear the friction side * b: the middle of a slip, an edge of stick."""
-        force, _, _, wall, b = (one.constant or Fraction(0) for one in self.pieces[at.piece].signals)
-        return wall + (force - side * b) / self.pair.a2
+        """Return by how much the spring is stretched where it bears, with the force, the friction side * b."""
+        force, *_, b = (one.constant or Fraction(0) for one in self.pieces[at.piece].signals)
+        return (force - side * b) / self.pair.a2
 
     def held(self, at: At) -> arb:
         """Return what friction that depends on the state holds at rest where a point is, N; for the true motion."""
@@ -173,8 +172,6 @@ class EnclosedPath:
 
     def reweighed(self, at: At, root_g: arb) -> At:
         """Return a point with N of its own cell, where it is that of a cell with this sqrt(g)."""
-        if not self.varies:
-            return at
         place, more = at.place, self.weight(at) ** 2 - root_g**2
         if root_g > 0:
             place = (at.norm / root_g).upper().min(place)
@@ -192,25 +189,9 @@ class EnclosedPath:
 
     def evolved(self, at: At, local: arb) -> At:
         """Return the path at a later time in the piece, in the same mode."""
-        flow = self.flow(at)
         with precision(2 * self.bits):
             t = local - at.local
-        is_near = flow.fastest * t.upper() <= 1.01 * REACH
-        state = self.motion(at).state(t) if is_near else self.evolved_far(flow, self.here(at)[1], t)
-        return self.settled(at, state, t)._replace(local=local, orders=AWAY)
-
-    def evolved_far(self, flow: Flow, z: list[arb], t: arb) -> list[arb]:
-        """Return the state after a time of many radians: the answers to the sines one by one."""
-        first = flow.mode.sine_places.start
-        whole = flow.mode.generator()
-        state = exponential([row[:first] for row in whole[:first]], t, z[:first])[:4]
-        for place in flow.places:
-            kept = [0, 1, 2, 3, place, place + 1]
-            part = [[whole[i][j] for j in kept] for i in kept]
-            answer = exponential(part, t, [arb(0)] * 4 + [z[place], z[place + 1]])
-            state = [a + b for a, b in zip(state, answer, strict=False)]
-        # stick keeps the bodies together, to more digits than a matrix that does not know it
-        return state if flow.slips else [state[0], state[1], state[0] + (z[X2] - z[X1]), state[1]]
+        return self.settled(at, self.motion(at).state(t), t)._replace(local=local, orders=AWAY)
 
     def ended(self, at: At) -> At:
         """Return the path at the end of the piece, to which its mode lasts."""
@@ -223,7 +204,7 @@ class EnclosedPath:
             norm = norm * self.growth(at, t)
             place = self.parted(at._replace(norm=norm), t, arb(0))
         elif self.pair.a1 and not self.varies:
-            norm = self.shrunk(norm, (t - at.late).lower())
+            norm = self.shrunk(at, (t - at.late).lower())
         x1, v1, x2, v2 = (one.rad() for one in state)
         norm = (norm + self.flow(at).norm.of((x1, v1, -x2, v2))).upper()
         if not norm.is_finite():
@@ -243,17 +224,17 @@ class EnclosedPath:
         by_time = (at.far + (at.norm + norm) / self.norm.root_m1 * t + own).upper()
         return (norm / self.norm.root_a2).upper().min(by_time) if self.norm.root_a2 > 0 else by_time
 
-    def shrunk(self, norm: arb, t: arb) -> arb:
+    def shrunk(self, at: At, t: arb) -> arb:
         """Return a bound on N after both motions have stuck for a time: it dies away with the flow of stick."""
-        stiff, rate = (Ball.number(-one) for one in self.swing[1])
+        flow = self.flow(at)
+        stiff, rate = -flow.A[V1, X1], -flow.A[V1, V1]
         if not (rate * t > 1 and stiff * t > rate):
-            return norm
-        one, zero = arb(1), arb(0)
-        columns = [exponential(self.swing, t, z) for z in ([one, zero], [zero, one])]
+            return at.norm
+        exp = Motion(flow.mode, flow.A, flow.A).flow(t)
         # the greatest singular value of a matrix from the sum of its squares and its determinant
-        square = columns[0][0] ** 2 + columns[1][1] ** 2 + columns[0][1] ** 2 / stiff + columns[1][0] ** 2 * stiff
+        square = exp[X1, X1] ** 2 + exp[V1, V1] ** 2 + exp[V1, X1] ** 2 / stiff + exp[X1, V1] ** 2 * stiff
         inner = (square * square - 4 * (-2 * rate * t).exp()).abs_upper()
-        return (norm * ((square + inner.sqrt()) / 2).upper().sqrt().min(one)).upper()
+        return (at.norm * ((square + inner.sqrt()) / 2).upper().sqrt().min(arb(1))).upper()
 
     def time(self, at: At) -> float:
         """Return the time of a point, s, for a message."""

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
+from math import perm
+from typing import TypeVar
 
 import numpy as np
+from flint import arb
 from numpy.typing import NDArray
 
 from numerics.arithmetic.pair import nearest
@@ -15,6 +18,7 @@ from numerics.arithmetic.precision import cached_property
 from numerics.linear.model import BELT, FORCE, FRICTION, WALL, Layout
 from numerics.scene import Piece, Scene, Sine
 
+Number = TypeVar("Number", Fraction, arb)
 _NOTHING = Piece(0)
 
 
@@ -50,10 +54,6 @@ class ExactPiece:
             raise ArithmeticError("friction varies on this piece")
         return b
 
-    def with_friction(self, b: Fraction) -> ExactPiece:
-        """Return the piece with another friction force, N."""
-        return replace(self, signals=(*self.signals[:FRICTION], Piece(0, (b,))))
-
     @cached_property
     def layout(self) -> Layout:
         """Return what of the signals the matrices of the modes depend on."""
@@ -86,11 +86,11 @@ def starts_of(scene: Scene) -> NDArray[np.float64]:
     return np.array([nearest(piece.start) for piece in pieces_of(scene)]).T.copy()
 
 
-def polynomial_at(polynomial: Sequence[Fraction], t: Fraction) -> Fraction:
-    """Return the value of a polynomial with these coefficients, from the constant on."""
-    value = Fraction(0)
-    for coefficient in reversed(polynomial):
-        value = value * t + coefficient
+def polynomial_at(terms: Sequence[Number], t: Number, order: int = 0) -> Number:
+    """Return a derivative of a polynomial with these coefficients, from the constant on."""
+    value = 0 * t
+    for k in range(len(terms) - 1, order - 1, -1):
+        value = value * t + terms[k] * perm(k, order)
     return value
 
 
@@ -112,11 +112,6 @@ def _may_jump(before: ExactPiece, signal: int, after: Piece) -> bool:
     if piece is after or (piece.sines != after.sines):
         return piece is not after
     orders = 2 if signal in {BELT, WALL} else 1
-    return any(_derivative_at(piece, k, before.length) != _derivative_at(after, k, Fraction(0)) for k in range(orders))
-
-
-def _derivative_at(piece: Piece, order: int, local: Fraction) -> Fraction:
-    polynomial = list(piece.polynomial)
-    for _ in range(order):
-        polynomial = [k * c for k, c in enumerate(polynomial)][1:]
-    return polynomial_at(polynomial, local)
+    ends = (piece, before.length), (after, Fraction(0))
+    values = ([polynomial_at(one.polynomial, at, k) for k in range(orders)] for one, at in ends)
+    return next(values) != next(values)

@@ -12,9 +12,8 @@ from collections.abc import Sequence
 
 from flint import acb, arb, arb_poly
 
-from numerics.linear.flow import BEND, FEW, Flow
+from numerics.linear.flow import BEND, FEW, Curve, Flow
 from numerics.linear.model import FIRST, V1, V2, X1
-from numerics.linear.search import Polynomial
 from numerics.linear.system import BallRow, length
 
 _I = acb(0, 1)
@@ -87,8 +86,8 @@ class Swings:
                 terms[n] = terms[n] + one * c if n in terms else one * c
         return polynomial, terms
 
-    def taken(self, row: BallRow, limit: arb) -> tuple[Polynomial, arb]:
-        """Return a row with the terms of rates below a limit as polynomials, and what the others never exceed."""
+    def taken(self, row: BallRow, limit: arb) -> Curve:
+        """Return a row with the terms of rates below a limit as polynomials; its margin is what the others reach."""
         polynomial, terms = self.of(row)
         slow = [(c, self.rates[n]) for n, c in terms.items() if abs(self.rates[n]) < limit]
         amplitude = sum((abs(c) for n, c in terms.items() if not abs(self.rates[n]) < limit), arb(0)).upper()
@@ -99,7 +98,7 @@ class Swings:
         for k in range(count):
             coefficients[k] += sum(((c * rate**k).real for c, rate in slow), arb(0)) / math.factorial(k)
         rest = sum((abs(c) * abs(rate) ** count for c, rate in slow), arb(0)) / math.factorial(count)
-        return Polynomial(arb_poly(coefficients), rest.upper(), count), amplitude
+        return Curve(arb_poly(coefficients), rest.upper(), count, amplitude)
 
 
 def _now(terms: dict[int, acb]) -> arb:

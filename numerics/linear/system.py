@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from flint import arb, arb_mat
+from flint import arb, arb_mat, ctx
 
-from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.precision import cached_property
+from numerics.arithmetic.ball import Ball, magnitude_bits
+from numerics.arithmetic.precision import cached_property, precision
 from numerics.linear.model import (
     CONSTANT,
     FIRST,
@@ -35,7 +35,7 @@ from numerics.linear.model import (
     add_signal,
     exact_rows,
 )
-from numerics.linear.pieces import ExactPiece
+from numerics.linear.pieces import ExactPiece, polynomial_at
 from numerics.scene import Pair, Piece, Sine
 from numerics.scene.short_repr import ShortRepr
 
@@ -60,28 +60,21 @@ class BallDrive:
     def __init__(self, piece: ExactPiece) -> None:
         """Take a piece; the present precision is that of its numbers."""
         number = Ball.number
-        self.polynomials = [[number(c) for c in one.polynomial] for one in piece.signals]
-        self.sines = [
-            (number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase))
+        self.signals = [
+            (
+                [number(c) for c in one.polynomial],
+                [(number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase)) for s in one.sines],
+            )
             for one in piece.signals
-            for s in one.sines
         ]
-        first, terms, sines, waves = piece.layout.blocks[FRICTION]
-        self.friction = [place - FIRST for place in (*range(first, first + terms), *range(sines, sines + 2 * waves))]
 
     def at(self, local: arb, side: int) -> list[arb]:
         """Return the blocks of z at a time in the piece (s), in a mode `side`."""
-        found: list[arb] = []
-        for terms in self.polynomials:
-            for order in range(len(terms)):
-                value = arb(0)
-                for k in range(len(terms) - 1, order - 1, -1):
-                    value = value * local + terms[k] * math.perm(k, order)
-                found.append(value)
-        for amplitude, omega, phase in self.sines:
-            found += [amplitude * one for one in (phase + omega * local).sin_cos()]
-        for place in self.friction if side < 0 else ():
-            found[place] = -found[place]
+        signed = list(zip([1] * FRICTION + [side or 1], self.signals, strict=True))
+        found = [sign * polynomial_at(one, local, k) for sign, (one, _) in signed for k in range(len(one))]
+        for sign, (_, sines) in signed:
+            for amplitude, omega, phase in sines:
+                found += [sign * amplitude * one for one in (phase + omega * local).sin_cos()]
         return found
 
 
@@ -192,8 +185,10 @@ class Motion:
     begin: arb_mat
 
     def flow(self, t: arb) -> arb_mat:
-        """Return exp(A t)."""
-        return (self.matrix * t).exp()
+        """Return exp(A t); long times are formed with more bits, since errors double with each squaring."""
+        squarings = max(0, self.mode.entry_bits + 3 + magnitude_bits(t.abs_upper()))
+        with precision(ctx.prec + 3 * squarings + 16):
+            return (matrix(self.mode.generator()) * t).exp()
 
     def at(self, t: arb) -> arb_mat:
         """Return z(t)."""
@@ -333,10 +328,7 @@ def dot(row: BallRow, z: Sequence[arb]) -> arb:
 
 def value(row: Row, z: arb_mat) -> arb:
     """Return the value of a linear function of z."""
-    total = arb(0)
-    for place, factor in row:
-        total += Ball.number(factor) * z[place, 0]
-    return total
+    return dot([(place, Ball.number(c)) for place, c in row], z.entries())
 
 
 def matrix(rows: Sequence[Sequence[Fraction]]) -> arb_mat:

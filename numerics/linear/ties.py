@@ -9,22 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import chain
-from math import perm
 
-from numerics.linear.model import FORCE, FRICTION
+from numerics.linear.model import FRICTION
 from numerics.linear.pieces import ExactPiece, polynomial_at
 from numerics.linear.sine_form import SineForm
 from numerics.linear.system import LinearMode, Row, sparse
-from numerics.scene import Pair, Piece
+from numerics.scene import Piece, Sine
 
 MARGINAL = 10**9
 """The order of a guard of which all derivatives vanish."""
 
 
-def force_form(piece: Piece | ExactPiece, local: Fraction, order: int = 0) -> SineForm:
+def force_form(force: Piece, local: Fraction, order: int = 0) -> SineForm:
     """Return the derivative of this order of u at a time in a piece (s), exact."""
-    return _value(piece if isinstance(piece, Piece) else piece.signals[FORCE], piece.start, local, order)
+    return _value(force, force.start, local, order)
 
 
 def signal_form(piece: ExactPiece, which: int, local: Fraction, order: int = 0) -> SineForm:
@@ -32,32 +30,32 @@ def signal_form(piece: ExactPiece, which: int, local: Fraction, order: int = 0) 
     return _value(piece.signals[which], piece.start, local, order)
 
 
-def _value(signal: Piece, start: Fraction, local: Fraction, order: int = 0) -> SineForm:
-    polynomial, waves = blocks_of(signal, start, local, order)
-    return sum(waves[::2], polynomial[0] if polynomial else SineForm())
+def _value(signal: Piece, start: Fraction, local: Fraction, order: int) -> SineForm:
+    waves = (_wave(one, start + local, order) * one.omega**order for one in signal.sines)
+    return sum(waves, SineForm(polynomial_at(signal.polynomial, local, order)))
 
 
-def blocks_of(signal: Piece, start: Fraction, local: Fraction, order: int = 0) -> tuple[list[SineForm], list[SineForm]]:
-    """Return what of z is a derivative of a signal at a time in a piece: polynomial, sines; it begins at `start`."""
-    terms, waves = signal.polynomial, []
-    derivatives = ([perm(n, k) * c for n, c in enumerate(terms)][k:] for k in range(order, len(terms)))
-    for sine in signal.sines:
-        angle, height = sine.omega * (start + local) + sine.phase, sine.amplitude * sine.omega**order
-        for k in (order, order + 1):
-            size = -height if k % 4 > 1 else height
-            waves.append(SineForm.turned(angle, *((Fraction(0), size) if k % 2 else (size, Fraction(0)))))
-    return [SineForm(polynomial_at(one, local)) for one in derivatives], waves
+def _wave(sine: Sine, t: Fraction, quarters: int) -> SineForm:
+    """Return a sine at a time of the run (s), so many quarters of a turn ahead."""
+    size = sine.amplitude * (-1 if quarters % 4 > 1 else 1)
+    return SineForm.turned(sine.omega * t + sine.phase, *((0, size) if quarters % 2 else (size, 0)))
 
 
 def exact_z(piece: ExactPiece, side: int, local: Fraction, state: Sequence[SineForm]) -> list[SineForm]:
     """Return z at a time in a piece (s), in a mode `side`."""
-    signs = [1] * FRICTION + [side or 1]
-    found = [blocks_of(one, piece.start, local) for one in piece.signals]
-    kinds = (
-        [one * sign for sign, kind in zip(signs, kinds, strict=True) for one in kind]
-        for kinds in zip(*found, strict=True)
+    t, signals, signs = piece.start + local, piece.signals, [1] * FRICTION + [side or 1]
+    polynomials = (
+        SineForm(polynomial_at(one.polynomial, local, k)) * sign
+        for one, sign in zip(signals, signs, strict=True)
+        for k in range(len(one.polynomial))
     )
-    return [*state, *chain.from_iterable(kinds)]
+    waves = (
+        _wave(sine, t, quarters) * sign
+        for one, sign in zip(signals, signs, strict=True)
+        for sine in one.sines
+        for quarters in (0, 1)
+    )
+    return [*state, *polynomials, *waves]
 
 
 def applied(row: Row, z: Sequence[SineForm]) -> SineForm:
@@ -73,19 +71,9 @@ def derivatives(mode: LinearMode, local: Fraction, state: Sequence[SineForm]) ->
         z = [applied(row, z) for row in A]
 
 
-def load_form(pair: Pair, piece: ExactPiece, local: Fraction, state: Sequence[SineForm]) -> SineForm:
-    """Return the load, N, exact."""
-    return applied(LinearMode(pair, 0, piece).load, exact_z(piece, 0, local, state))
-
-
-def mode_after(
-    pair: Pair, piece: ExactPiece, local: Fraction, state: Sequence[SineForm], *, literal: bool
-) -> tuple[int, int]:
+def mode_after(stick: LinearMode, local: Fraction, state: Sequence[SineForm]) -> tuple[int, int]:
     """Return the mode that follows a state with v1 = v2, and how many derivatives of its guard vanish (or MARGINAL)."""
-    stick = LinearMode(pair, 0, piece)
-    if literal:
-        return 0, 0
-    tied = dict(zip((1, -1), stick.guards, strict=True))
+    tied, pair = dict(zip((1, -1), stick.guards, strict=True)), stick.pair
     for k, z in enumerate(derivatives(stick, local, state)):
         for side, row in list(tied.items()):
             sign = applied(row, z).sign()

@@ -14,14 +14,13 @@ from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
 from numerics.linear.enclosed import EnclosedRun
-from numerics.linear.flow import FEW, Expansion, Flow, exponential
+from numerics.linear.flow import FEW, Curve, Expansion, Flow
 from numerics.linear.model import V1, V2, Layout
-from numerics.linear.next_enclosed import curves_of
+from numerics.linear.next_enclosed import CLEAR, UNKNOWN, look
 from numerics.linear.path_enclosed import At
 from numerics.linear.record import How
-from numerics.linear.search import CLEAR, UNKNOWN, Curve, look
 from numerics.linear.swings import Swings
-from numerics.linear.system import LinearMode, dot
+from numerics.linear.system import LinearMode, Motion, dot
 
 OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
 """So late body 2 rests: where it was at its event is of second order."""
@@ -47,7 +46,9 @@ def test_what_every_step_or_event_is_off_by_is_in_the_bounds(name, place, monkey
     assert itinerary(found) == itinerary(exact)
     ours, true = ([x for row in (*events(one), one.end) for x in numbers(scene, row)] for one in (found, exact))
     pairs = zip(ours, true, strict=True)
-    assert 0.02 < max(float((abs(b - a.mid()) / a.rad()).mid()) for a, b in pairs if a.rad() > 0) < 1 + 1e-9
+    most = max(float((abs(b - a.mid()) / a.rad()).mid()) for a, b in pairs if a.rad() > 0)
+    assert most < 1 + 1e-9
+    assert most > 0.02 or (place == "v2" and itinerary(exact) == "0")  # in stick v2 goes with v1
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -60,12 +61,12 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
         at, root = found(path, at)
         if root is not None:
             flow, z = path.here(at)
-            row, A = flow.guarded[root.guard.row], flow.mode.generator()
+            row, motion = flow.guarded[root.guard.row], Motion(flow.mode, flow.A, flow.column(z))
             ends = {kind: end for kind, *end in path.cells.guards(at.mode, at.cell)[0]}
             sign, offset = ends[root.guard.kind] if at.mode else (1, 0)
 
             def guard(t):
-                return Ball.number(offset) + sign * dot(row, exponential(A, t, z))
+                return Ball.number(offset) + sign * dot(row, motion.at(t).entries())
 
             assert not abs(guard(root.tau)) > root.value
             assert not guard(root.tau - root.window) < 0
@@ -81,6 +82,8 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
 
 
 BALLS = Ball(40)
+
+
 LAYOUT = Layout((3, 2, 0, 2, 1), ((Fraction(3), Fraction(11)), (), (), (Fraction(2),), (Fraction(5),)))
 ON_BELT = Layout((3, 0, 2, 2, 1), ((Fraction(3),), (), (Fraction(7),), (), (Fraction(5),)))
 
@@ -88,21 +91,19 @@ ON_BELT = Layout((3, 0, 2, 2, 1), ((Fraction(3),), (), (Fraction(7),), (), (Frac
 @pytest.mark.parametrize("slips", [False, True])
 @pytest.mark.parametrize(("m2", "layout"), [(2, LAYOUT), ("inf", ON_BELT)])
 def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound(m2, layout, slips):
-    """For every number of z alone, so that no other hides it: of the state, its rates, and the rows of the guards."""
+    """For every number of z alone, so that no other hides it: of the state, its rates, and the guards."""
     flow = Flow(BALLS.bits, Pair("0.3", m2, 50, 1, "0.5"), slips, layout)
-    few, A, t = copy(flow), flow.mode.generator(), (flow.reach / 2).mid()
-    few.expand(5)
+    few, t = copy(flow), (flow.reach / 2).mid()
+    few.expand(2)
     for k in {*range(flow.size)} - ({V2} if not slips else set()):
         z = [arb(int(k == n or (not slips and {k, n} == {V1, V2}))) for n in range(flow.size)]
-        there, motion, short = exponential(A, t, z), Expansion(few, z, flow.reach / 2), Expansion(flow, z, t).short(t)
-        rate = [dot([*enumerate(map(Ball.number, row))], there) for row in A]
-        assert all(one.overlaps(two) for one, two in zip(motion.state(t), there, strict=False))
+        there, motion = Motion(flow.mode, flow.A, flow.column(z)).at(t), Expansion(few, z, flow.reach / 2)
+        rate = (flow.A * there).entries()
+        assert all(one.overlaps(two) for one, two in zip(motion.state(t), there.entries(), strict=False))
         assert not any(one < abs(rate[v]) for one, v in zip(motion.bends(t), (V1, V2), strict=True))
-        for which, row in enumerate(flow.guarded):
-            guard, true = Curve(*motion.guard(which), arb(0)), dot(row, there)
-            assert abs(guard.polynomial(t) - true) < guard.left_out(t, 0) + OFF
-            assert abs(guard.polynomial.derivative()(t) - dot(row, rate)) < guard.left_out(t, 1) + OFF
-            assert not abs(short[which].polynomial(t) - true) > short[which].rest * t**FEW + OFF
+        for row, guard, short in zip(flow.guarded, motion.guards(), Expansion(flow, z, t).guards(t), strict=True):
+            for one, order, true in ((guard, 0, there.entries()), (guard, 1, rate), (short, 0, there.entries())):
+                assert (one.at(t, order) + arb(0, OFF)).overlaps(dot(row, true))
 
 
 @pytest.mark.parametrize("slips", [False, True])
@@ -117,13 +118,12 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
         z = mode.begin([Ball.number(Fraction(one)) for one in (x, v, 0, -3 if slips else v)], arb(0))
         found, row = Swings(flow, z), flow.guarded[-1]
         for limit in (arb(0), flow.fastest / 4):
-            (curve, rest, terms), amplitude = found.taken(flow.bent[-1], limit)
+            curve, motion = found.taken(flow.bent[-1], limit), Motion(mode, flow.A, flow.column(z))
             for k in range(1, 60, 4):
-                t = Ball.number(Fraction(k, 40)) if rest == 0 else flow.reach * k / 30
-                true, near = dot(row, exponential(mode.generator(), t, z)), curve(t)
-                off = abs(true - near)
-                assert not off > amplitude + rest * t**terms + OFF
-                nearest = max(nearest, float((off / amplitude).mid()))
+                t = Ball.number(Fraction(k, 40)) if curve.rest == 0 else flow.reach * k / 30
+                off = abs(dot(row, motion.at(t).entries()) - curve.polynomial(t))
+                assert not off > curve.margin + curve.left_out(t, 0) + OFF
+                nearest = max(nearest, float((off / curve.margin).mid()))
     assert nearest > 0.6
 
 
@@ -174,5 +174,4 @@ def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
     path = EnclosedRun(under(Pair("0.3", 2, 50, 1), 1, (), Weakening((), 0, [(0, 0), (1, 9)])), BALLS)
     zero, off = arb(0), arb("0.1")
     at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero, (0, 1))
-    flow = path.flow(at)
-    assert all(one.margin > off * 8.999 for one in curves_of(path, at, path.motion(at).short(flow.reach)))
+    assert path.margin(at) > off * 8.999
