@@ -38,16 +38,15 @@ def print_trade(trade: Any) -> None:
     for scene, what in trade.scenes.items():
         print(f"{scene}: {what}".removesuffix(": "))
         print_table(
-            ("method", "setting", "time", "by float64", "times off", "states off", "found", "missed", "extra", ""),
+            ("method", "setting", "time", "by float64", "off", "events", ""),
             [
                 (
                     one.method,
                     f"{one.setting:g}" if one.setting else "",
                     seconds_text(one.seconds),
                     "-" if one.ratio is None else f"{one.ratio:.3g}",
-                    error_text(one.time_digits),
-                    error_text(one.state_digits),
-                    *map(str, one[5:8]),
+                    error_text(one.digits),
+                    str(one.events),
                     one.note,
                 )
                 for one in trade.of(scene)

@@ -26,7 +26,7 @@ from numerics.linear.modes import MODES
 from numerics.linear.pieces import pieces_of
 from numerics.scene import Law, Scene
 from numerics.trade.judge import Call, Run
-from numerics.trade.switched import unknown
+from numerics.trade.peers import unknown
 
 Vector = NDArray[np.float64]
 
