@@ -6,16 +6,14 @@ import argparse
 import json
 import shutil
 import sys
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, write_text
 from numerics.exits import FAILED, OK, USAGE, refuse
-from numerics.meter import meter
-from numerics.shown import shown_steps, write_figure
+from numerics.meter import meter, shown_steps
+from numerics.shown import write_figure
 
 if TYPE_CHECKING:
-    from numerics.trajectory.run import Progress
     from numerics.trajectory.trajectory import Trajectory
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
@@ -33,7 +31,7 @@ def solve_scene(options: argparse.Namespace) -> int:
     on_surface = isinstance(scene, PlaneScene)
     if wrong := wrong or (_wrong_on_a_surface(options) if on_surface else None):
         return refuse(wrong, USAGE)
-    with shown_steps() as say:
+    with shown_steps():
         trajectory: Any = solve(
             scene,
             digits=options.digits,
@@ -41,7 +39,6 @@ def solve_scene(options: argparse.Namespace) -> int:
             or (None if (options.digits or options.check) and not options.times else "ball"),
             max_events=options.max_events,
             max_digits=options.max_digits,
-            progress=_progress(options.max_events, say),
         )
     if options.times:
         try:
@@ -110,20 +107,6 @@ def _wrong_on_a_surface(options: argparse.Namespace) -> str | None:
     if options.arithmetic not in (None, "ball"):
         return f"--arithmetic {options.arithmetic} is available on a line only: balls solve a surface; leave it out"
     return None
-
-
-_EARLY = 1000
-"""With fewer events there is no forecast of their number."""
-
-
-def _progress(most: int, say: Callable[[str], None]) -> Progress:
-    """Return what reports progress, and says early that the limit on events may come before the horizon."""
-
-    def show(events: int, fraction: float) -> None:
-        soon = f"; at this rate the limit of {most} events comes first" * (events > max(_EARLY, fraction * most))
-        say(f"{events} events, {100 * fraction:.0f} % of the horizon{soon}")
-
-    return show
 
 
 def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) -> None:

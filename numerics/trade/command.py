@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from numerics.exits import OK
-from numerics.shown import print_table, shown_steps, write_figure
+from numerics.meter import shown_steps
+from numerics.shown import print_table, write_figure
 
 MEANING = """Settings are digits, steps or tolerances. Times are processor times of warm calls, in turns with float64.
 Errors are the largest, against a proved run: of event times relative to the last one, of states at events and horizon
