@@ -158,21 +158,12 @@ class AbelFunctions:
 _kept = lru_cache(maxsize=8)(AbelFunctions)
 
 
-def reach_of(digits: int) -> float:
-    """Return the largest y = w/q to jump from: there the terms left out are below the digits asked for."""
-    return float(0.12 * 10.0 ** (-digits / (_order_for(digits) + 1)))
-
-
-def _order_for(digits: int) -> int:
-    """Return the number of terms that lets the jump start early enough for this many digits."""
-    return max(24, min(80, digits))
-
-
 def abel_functions(share: Fraction, digits: int, y: arb) -> AbelFunctions | None:
     """Return the functions of a mass share, made once, with so many digits at y and below; None if y is too large."""
-    if not y < reach_of(digits):
+    order = max(24, min(80, digits))  # so many terms let the jump start early enough
+    if not y < 0.12 * 10.0 ** (-digits / (order + 1)):  # there the terms left out are below the digits
         return None
-    found = _kept(share, _order_for(digits))
+    found = _kept(share, order)
     return found if y <= Ball.number(found.largest_argument) else None
 
 
