@@ -52,6 +52,8 @@ Exceptions:
 from __future__ import annotations
 
 import importlib
+import re
+from pathlib import Path
 from types import FunctionType
 from typing import TYPE_CHECKING
 
@@ -99,32 +101,9 @@ if TYPE_CHECKING:
     from numerics.trajectory.sensitivity import sensitivities as sensitivities
     from numerics.trajectory.trajectory import Trajectory as Trajectory
 
-_NAMES = {
-    "scene": "Force Friction Law Pair Piece Scene Signal Sine State Weakening",
-    "scene.file": "load_reference load_scene scene_text",
-    "scene.plane": "PlanePair PlaneScene",
-    "solver.solve": "solve",
-    "solver.check": "check",
-    "solver.many": "solve_many solve_scenes",
-    "solver.batch": "Batch",
-    "solver.bifurcation": "Bifurcation bifurcation",
-    "trajectory.trajectory": "Trajectory",
-    "plane.trajectory": "PlaneTrajectory",
-    "trajectory.sensitivity": "sensitivities",
-    "linear.modes": "Mode",
-    "control.cheapest": "cheapest_transfer",
-    "control.damping": "damping",
-    "control.response": "response",
-    "control.ring": "ring_entry",
-    "control.thresholds": "thresholds",
-    "control.tracking": "track",
-    "control.transfer": "fastest_transfer",
-    "errors": "EventUndecided InvalidScene MissingTool NotDifferentiable NotSettled NumericsError OutOfRange "
-    "PrecisionExhausted",
-}
-"""The public names by the modules where they are."""
-_HOMES = {name: f"numerics.{module}" for module, names in _NAMES.items() for name in names.split()}
-
+_IMPORTS = re.compile(r"^    from (numerics\S+) import (\w+) as \2$", re.MULTILINE)
+_HOMES = {name: module for module, name in _IMPORTS.findall(Path(__file__).read_text("utf-8"))}
+"""The modules of the public names: the imports above, which only type checkers follow."""
 
 __all__ = sorted(_HOMES)  # noqa: PLE0605 - a list, of the names above
 
