@@ -84,9 +84,7 @@ class AbelFunctions:
         self.slide_coefficients = _solved(-x * falls, x * (one - falls), 1, 0, self.order + 1)
 
     def alpha(self, y: arb) -> arb:
-        """Return an enclosure of alpha(y) for 0 < y <= largest_argument; raises EventUndecided beyond."""
-        if not y <= Ball.number(self.largest_argument):
-            raise undecided(f"is this excess within the certified {float(self.largest_argument):g}?", y)
+        """Return an enclosure of alpha(y) for 0 < y <= largest_argument."""
         value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + _polynomial(self.alpha_coefficients)(y)
         return widened(value, self._missed(y, 0, 2 * self.order + 4))
 
@@ -158,12 +156,21 @@ class AbelFunctions:
 _kept = lru_cache(maxsize=8)(AbelFunctions)
 
 
+def reach_of(digits: int) -> float:
+    """Return the largest y = w/q to jump from: there the terms left out are below the digits asked for."""
+    return float(0.12 * 10.0 ** (-digits / (_order_for(digits) + 1)))
+
+
+def _order_for(digits: int) -> int:
+    """Return the number of terms that lets the jump start early enough for this many digits."""
+    return max(24, min(80, digits))
+
+
 def abel_functions(share: Fraction, digits: int, y: arb) -> AbelFunctions | None:
     """Return the functions of a mass share, made once, with so many digits at y and below; None if y is too large."""
-    order = max(24, min(80, digits))  # so many terms let the jump start early enough
-    if not y < 0.12 * 10.0 ** (-digits / (order + 1)):  # there the terms left out are below the digits
+    if not y < reach_of(digits):
         return None
-    found = _kept(share, order)
+    found = _kept(share, _order_for(digits))
     return found if y <= Ball.number(found.largest_argument) else None
 
 

@@ -20,7 +20,7 @@ from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
 from numerics.arithmetic.ball import Ball, proved_sign, undecided
 from numerics.arithmetic.protocol import Number
 from numerics.errors import InvalidScene, OutOfRange
-from numerics.free.abel import AbelFunctions, abel_functions
+from numerics.free.abel import AbelFunctions, abel_functions, reach_of
 from numerics.free.frame import RAY, STICK, Frame, ReducedState, begin
 from numerics.free.motion import mode_of, motions, on_ray, state_at
 from numerics.linear.modes import MODES, Mode
@@ -128,14 +128,29 @@ def _free(scene: Scene, at: Fraction, arithmetic: Ball, digits: int, max_steps: 
                 ray = on_ray(frame, side, arb(0), y * frame.q, start.tau + elapsed)
                 road, excursions, walk = EnergyMethod.ABEL, excursions + count, motions(frame, ray)
                 continue
+            _refuse_countless(arithmetic.to_float(y), half_turns, 1 - scene.pair.share, digits, max_steps - stepped)
         if stepped == max_steps:
-            more = f"more than {max_steps} events before the return map takes over at {digits} working digits"
-            raise OutOfRange(f"{more}; request fewer digits, or raise max_steps")
+            raise OutOfRange(f"more than {max_steps} events before the return map takes over; raise max_steps")
         excursions += start.kind == STICK
         stepped += road is EnergyMethod.STEPPED
     state, mode = state_at(frame, start, left), MODES[mode_of(start)]
     energy = frame.critical_energy * (1 + state.w)  # w is the accurate one
     return frame, energy, state.w, excursions, mode, state, road, stepped
+
+
+def _refuse_countless(y: float, half_turns: float, r: Fraction, digits: int, left: int) -> None:
+    """Raise OutOfRange at once where so many steps as are `left` are certainly too few for a jump or the target.
+
+    1/y grows by G/(y (1 - G)) <= a/(1 - a y) an excursion, as c <= 3 y/2 and so G <= a y, a = 9 r/4: for a y < 1/2 by
+    less than 2 a, and it never merges. An excursion is two events and takes less than the reduced time 4 pi.
+    """
+    a = float(9 * r / 4)
+    events = min((1 / reach_of(digits) - 1 / y) / a, half_turns / 2)
+    if a * y < 0.5 and events > left:
+        raise OutOfRange(
+            f"{digits} working digits need about {events:.0e} events before the return map applies, "
+            f"the limit leaves {left}; request fewer digits, or raise max_steps"
+        )
 
 
 def _exit_before(abel: AbelFunctions, y: arb, elapsed: arb) -> tuple[int, arb, arb]:
