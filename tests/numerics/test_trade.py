@@ -131,5 +131,6 @@ def test_the_whole_command_on_a_scene_of_the_users(output, record, scene_file, t
     asked = [("float64", 0, 1.0), ("balls", 15, 2.0), ("balls", 40, 2.0), ("forward Euler", 1000, 2.0)]
     assert [(*one[1:3], one[4]) for one in found["rows"]] == asked
     assert (tmp_path / "trade.png").stat().st_size > 10_000
-    printed = output("trade", scene_file, "--digits", 30)
+    printed = output("trade", scene_file, "--digits", 15)
+    assert printed.count("\nballs ") == 1
     assert re.search(r"float64 +2 ms +1 +\d\.\de-1\d +\d+ *$", printed, re.MULTILINE)
