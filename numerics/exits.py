@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import difflib
 import importlib
 import os
 import re
@@ -145,17 +144,16 @@ class OneLineParser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Print the one error line, with the nearest word for one that is mistyped, and exit with USAGE."""
-        mistyped = re.search(r"invalid choice: '([^']*)' \(choose from (.*)\)", message)
-        if mistyped is not None:
-            near = difflib.get_close_matches(mistyped[1], re.findall(r"[\w-]+", mistyped[2]), n=1, cutoff=0.5)
-            message = f"{mistyped[1]!r} is not known; did you mean {near[0]}?" if near else message
+        more = "--help lists the options"
+        if found := re.search(r"invalid choice: '([^']*)' \(choose from (.*)\)", message):
+            word, known = found[1], re.findall(r"[\w-]+", found[2])
+            message = f"{word!r} is not known; {right_word(word, known, more)}"
+        elif found := re.match(r"unrecognized arguments: --([\w-]+)", message):
+            word, known = found[1], self._flags()
+            right = more if f"--{word}" in known else right_word(word.replace("-", "_"), known, more)
+            message = f"--{word} is {'no option of this command' if right == more else 'not known'}: {right}"
         elif "not allowed with" in message:
             message += "; leave one of them out"
-        elif (unknown := re.match(r"unrecognized arguments: --([\w-]+)", message)) is not None:
-            word, flags = unknown[1], self._flags()
-            is_elsewhere, otherwise = f"--{word}" in flags, "--help lists the options"
-            right = otherwise if is_elsewhere else right_word(word.replace("-", "_"), flags, otherwise)
-            message = f"--{word} is {'no option of this command;' if is_elsewhere else 'not known:'} {right}"
         elif message.startswith(("the following", "unrecognized")) or "expected" in message:
-            message += "; --help lists the options"
+            message += f"; {more}"
         self.exit(refuse(message, USAGE))

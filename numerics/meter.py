@@ -2,30 +2,37 @@
 
 solving  42 %|########            | 3 s, 4 s left
 
-Elsewhere a line after a minute, and one whenever the time has doubled.
+Elsewhere a line after a minute, and one whenever the time has doubled; of a command every five seconds.
 """
 
 from __future__ import annotations
 
+import logging
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-_AFTER, _EVERY, _SILENT, _WIDTH = 2.0, 0.25, 60.0, 20
-"""Seconds before the first line on a terminal, between two, and before the first one elsewhere; characters of the bar.
-"""
+_AFTER, _EVERY, _SILENT, _COMMAND, _WIDTH = 2.0, 0.25, 60.0, 5.0, 20
+"""Seconds before the first line on a terminal and between two, before the first one elsewhere, and between two of a
+command; characters of the bar."""
 _ACTIVE = threading.local()
 
 
-class _Line:
-    """What is shown: it is told how far the work is, and writes now and then."""
+class _Line(logging.Handler):
+    """What is shown: it is told, or reads in the log, how far the work is, and writes now and then."""
 
-    def __init__(self, what: str) -> None:
-        self.what, self.began, self.fraction = what, time.monotonic(), 0.0
+    def __init__(self, what: str, every: float = 0.0) -> None:
+        super().__init__()
+        self.what, self.every, self.began, self.fraction = what, every, time.monotonic(), 0.0
         self.is_terminal, self.has_told = sys.stderr.isatty(), False
-        self.due = self.began + (_AFTER if self.is_terminal else _SILENT)
+        self.due = self.began + (_AFTER if self.is_terminal else every or _SILENT)
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Take a message of a log."""
+        self.what, self.fraction = record.getMessage(), 0.0
+        self.tell()
 
     def __call__(self, done: int, whole: float) -> None:
         """Take a count and the fraction done (a float), or a count and how many there are (an int)."""
@@ -38,7 +45,7 @@ class _Line:
         if now < self.due:
             return
         spent, done, self.has_told = now - self.began, self.fraction, True
-        self.due = now + (_EVERY if self.is_terminal else spent)
+        self.due = now + (_EVERY if self.is_terminal else self.every or spent)
         bar, left = "", ""
         if done > 0:
             bar = f"{100 * done:3.0f} %|{'#' * int(_WIDTH * done):{_WIDTH}}| "
@@ -47,10 +54,26 @@ class _Line:
         sys.stderr.write(f"\r\033[K{line}" if self.is_terminal else f"{line}\n")
         sys.stderr.flush()
 
-    def close(self) -> None:
-        if self.has_told and self.is_terminal:
-            sys.stderr.write("\r\033[K")
-            sys.stderr.flush()
+    @contextmanager
+    def shown(self, ticks: bool) -> Iterator[_Line]:
+        """Show it while some work lasts; with `ticks` also while that tells nothing."""
+        ended, _ACTIVE.line = threading.Event(), self
+
+        def tick() -> None:
+            while not ended.wait(max(self.due - time.monotonic(), _EVERY)):
+                self.tell()
+
+        ticker = threading.Thread(target=tick if ticks else ended.set, daemon=True)
+        ticker.start()
+        try:
+            yield self
+        finally:
+            ended.set()
+            ticker.join()
+            _ACTIVE.line = None
+            if self.has_told and self.is_terminal:
+                sys.stderr.write("\r\033[K")
+                sys.stderr.flush()
 
 
 @contextmanager
@@ -61,25 +84,25 @@ def meter(
 
     With `ticks` it also counts the seconds of work that tells nothing. As a decorator it is the line of a function.
     """
-    is_free = sys.stderr is not None and not getattr(_ACTIVE, "line", False)
-    if given is not None or not is_free:
-        yield given
-        return
-    line, ended = _Line(what), threading.Event()
-    _ACTIVE.line = True
-
-    def tick() -> None:
-        while not ended.wait(max(line.due - time.monotonic(), _EVERY)):
-            line.tell()
-
-    ticker = threading.Thread(target=tick, daemon=True) if ticks else None
-    if ticker is not None:
-        ticker.start()
-    try:
+    line = getattr(_ACTIVE, "line", None)
+    if given is None and line is not None and line.every:  # that of a command
+        line.what, line.fraction = what, 0.0
         yield line
+    elif given is not None or line is not None or sys.stderr is None:
+        yield given
+    else:
+        with _Line(what).shown(ticks) as line:
+            yield line
+
+
+@contextmanager
+def shown_steps() -> Iterator[Callable[[str], None]]:
+    """Show the progress of a command; yields the function that logs a message."""
+    log, line = logging.getLogger("numerics"), _Line("computing", _COMMAND)
+    log.addHandler(line)
+    log.setLevel(logging.INFO)
+    try:
+        with line.shown(ticks=True):
+            yield log.info
     finally:
-        ended.set()
-        if ticker is not None:
-            ticker.join()
-        _ACTIVE.line = False
-        line.close()
+        log.removeHandler(line)

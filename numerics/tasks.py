@@ -29,8 +29,7 @@ def run_tasks(
     """Yield function(task) for every task, in any order; the same function in `jobs` processes as in one.
 
     A task begins with its number, and so does what comes of it. `progress` takes how many are done, and of how many.
-    A worker that is killed loses nothing: what it held is done by another one. Raises MissingTool if joblib (jobs > 1)
-    is not installed.
+    Raises MissingTool if joblib (jobs > 1) is not installed.
     """
     for done, result in enumerate(_in_processes(function, tasks, jobs) if jobs > 1 else map(function, tasks), start=1):
         yield result
@@ -41,19 +40,7 @@ def run_tasks(
 def _in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
     try:
         from joblib import Parallel, delayed
-        from joblib.externals.loky.process_executor import TerminatedWorkerError
     except ImportError:
         raise MissingTool("more than one job needs joblib: pip install 'inertial-pair[parallel]'") from None
-    waiting = {task[0]: task for task in tasks}
-    deaths = 0  # of workers, since the last result
-    while waiting:
-        workers = Parallel(n_jobs=jobs, return_as="generator_unordered", batch_size=1)
-        try:
-            for result in workers(delayed(function)(task) for task in list(waiting.values())):
-                deaths = 0
-                del waiting[result[0]]
-                yield result
-        except TerminatedWorkerError:  # what it held is done again, unless nothing gets done at all
-            deaths += 1
-            if deaths > 3:  # one may die before the first result of all: on a busy machine it was seen
-                raise
+    workers = Parallel(n_jobs=jobs, return_as="generator_unordered", batch_size=1)
+    yield from workers(delayed(function)(task) for task in tasks)

@@ -44,7 +44,7 @@ def precision_is_left_alone() -> Iterator[None]:
 @pytest.fixture(autouse=True)
 def progress_does_not_hang_on_the_clock(monkeypatch: pytest.MonkeyPatch) -> None:
     """On a busy machine a command may take more than the 5 s after which it prints a line of progress."""
-    monkeypatch.setattr("numerics.shown._EVERY", 1e6)
+    monkeypatch.setattr("numerics.meter._COMMAND", 1e6)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

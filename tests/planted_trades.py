@@ -10,7 +10,7 @@ SCENES = ("velocities", "relative-motion-b05", "near-critical-1e-6")
 
 def row(method: str, scene: str, ratio: float, digits: float = 15.0, note: str = "", setting: float = 15) -> Row:
     """Return a row with so many digits of the states; float64 takes a millisecond."""
-    return Row(scene, method, setting, 1e-3 * ratio, ratio, 24, 0, 0, 16.0, digits, note)
+    return Row(scene, method, setting, 1e-3 * ratio, ratio, 24, None if note else digits, note)
 
 
 def trade_of(*rows: Row, **more: object) -> Trade:

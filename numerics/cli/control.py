@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, asked, draw, in_brief, number_lines, numbers, write_text
 from numerics.exits import FAILED, OK, USAGE, refuse
-from numerics.shown import shown_steps
+from numerics.meter import shown_steps
 
 if TYPE_CHECKING:
     from numerics.control.response import Response

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import argparse
 import json
-import shutil
 import sys
-from collections.abc import Callable
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, write_text
 from numerics.exits import FAILED, OK, USAGE, refuse
-from numerics.meter import meter
-from numerics.shown import shown_steps, write_figure
+from numerics.meter import meter, shown_steps
+from numerics.shown import write_figure
 
 if TYPE_CHECKING:
-    from numerics.trajectory.run import Progress
     from numerics.trajectory.trajectory import Trajectory
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
@@ -29,11 +27,13 @@ def solve_scene(options: argparse.Namespace) -> int:
     from numerics.scene.plane import PlaneScene
     from numerics.solver.solve import solve
 
-    scene: Any = None if (wrong := _wrong_use(options)) else load_scene(options.scene)
-    on_surface = isinstance(scene, PlaneScene)
-    if wrong := wrong or (_wrong_on_a_surface(options) if on_surface else None):
+    for wrong in _wrong_use(options):
         return refuse(wrong, USAGE)
-    with shown_steps() as say:
+    scene: Any = load_scene(options.scene)
+    on_surface = isinstance(scene, PlaneScene)
+    for wrong in _wrong_on_a_surface(options) if on_surface else ():
+        return refuse(wrong, USAGE)
+    with shown_steps():
         trajectory: Any = solve(
             scene,
             digits=options.digits,
@@ -41,7 +41,6 @@ def solve_scene(options: argparse.Namespace) -> int:
             or (None if (options.digits or options.check) and not options.times else "ball"),
             max_events=options.max_events,
             max_digits=options.max_digits,
-            progress=_progress(options.max_events, say),
         )
     if options.times:
         try:
@@ -87,43 +86,27 @@ _NOT_TOGETHER = {
 """What an option rules out, and why."""
 
 
-def _wrong_use(options: argparse.Namespace) -> str | None:
-    """Return what is wrong with the options of a solve, before anything is computed."""
+def _wrong_use(options: argparse.Namespace) -> Iterator[str]:
+    """Yield what is wrong with the options of a solve, before anything is computed."""
     if options.arithmetic == "float64" and options.digits is not None:
-        return f"--digits {options.digits} needs ball or mpmath, not float64; leave one of both out"
+        yield f"--digits {options.digits} needs ball or mpmath, not float64; leave one of both out"
     for name, (others, why) in _NOT_TOGETHER.items():
         for other in others:
             if getattr(options, name) and getattr(options, other):
-                return f"--{name} {why}; leave --{other} out"
+                yield f"--{name} {why}; leave --{other} out"
     if options.times and options.arithmetic not in {None, "ball"}:
-        return "--times prints proved digits of balls; leave --arithmetic out"
+        yield "--times prints proved digits of balls; leave --arithmetic out"
     if options.npz is not None and options.npz.suffix != ".npz":
-        return f"--npz {options.npz.name}: the name must end in .npz; for a table use --csv"
-    return None
+        yield f"--npz {options.npz.name}: the name must end in .npz; for a table use --csv"
 
 
-def _wrong_on_a_surface(options: argparse.Namespace) -> str | None:
-    """Return what is not offered for a surface."""
+def _wrong_on_a_surface(options: argparse.Namespace) -> Iterator[str]:
+    """Yield what is not offered for a surface."""
     for flag in ("proof", "sensitivity", "check"):
         if getattr(options, flag):
-            return f"--{flag} is available on a line only; on a surface use --json, --csv, --npz, --plot or the table"
+            yield f"--{flag} is available on a line only; on a surface use --json, --csv, --npz, --plot or the table"
     if options.arithmetic not in (None, "ball"):
-        return f"--arithmetic {options.arithmetic} is available on a line only: balls solve a surface; leave it out"
-    return None
-
-
-_EARLY = 1000
-"""With fewer events there is no forecast of their number."""
-
-
-def _progress(most: int, say: Callable[[str], None]) -> Progress:
-    """Return what reports progress, and says early that the limit on events may come before the horizon."""
-
-    def show(events: int, fraction: float) -> None:
-        soon = f"; at this rate the limit of {most} events comes first" * (events > max(_EARLY, fraction * most))
-        say(f"{events} events, {100 * fraction:.0f} % of the horizon{soon}")
-
-    return show
+        yield f"--arithmetic {options.arithmetic} is available on a line only: balls solve a surface; leave it out"
 
 
 def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) -> None:
@@ -180,17 +163,11 @@ def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
 
 
 def _of_a_line(events: list[dict[str, str]]) -> list[str]:
-    """Return events (where v1 = v2) below a head; on a terminal on which a line would break each has two."""
+    """Return events (where v1 = v2) below a head."""
     rows = [("event", "t (s)", "x1 (m)", "v1 = v2 (m/s)", "x2 (m)")]
     rows += [(f"{one['from']} to {one['to']}", one["t"], one["x1"], one["v1"], one["x2"]) for one in events]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    narrow = sys.stdout.isatty() and sum(widths) + 2 * 4 > shutil.get_terminal_size().columns
-    lines = []
-    for row in rows if events else ():
-        cells = [*map(str.ljust, row, widths)]
-        parts = [cells[:2], ["", "", *cells[2:]]] if narrow else [cells]
-        lines.append("\n".join("  ".join(part).rstrip() for part in parts))
-    return lines
+    return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows] if events else []
 
 
 def _of_a_surface(events: list[dict[str, Any]]) -> list[str]:
@@ -206,15 +183,10 @@ def _of_a_surface(events: list[dict[str, Any]]) -> list[str]:
 
 def _explained(trajectory: Any, *, on_surface: bool) -> str:
     """Return how a scene was solved: arithmetic, digits, what was tried, events, and why no more were needed."""
-    from numerics.trajectory.run import free_scene
-
     located, arithmetic = len(trajectory.event_times), trajectory.arithmetic
-    why = f"{located} events located one by one"
-    if not on_surface and free_scene(trajectory.scene):
-        why += ", as all of them were requested (`energy` skips most of them)"
+    why = f"{located} events located one by one (`energy` skips most of those of a free pair)"
     if "permanently" in trajectory.message:
         why = f"after {located} events the pair sticks permanently: a later horizon takes no longer"
-        why = why if located else "the pair never slips: one closed form for every horizon"
     tried = f" ({trajectory.tried})" if trajectory.tried else ""
     how = "the largest position, velocity or energy along the run, those of a time to that time"
     how = "each number, or near 0 to the largest of its axis along the run" if on_surface else how

@@ -40,7 +40,6 @@ _SEARCH_BITS = 64
 """Precision of the search from the guess; Halley's last step leaves more right bits than those below."""
 _RIGHT_BITS = 38
 _SPARE_BITS = 12
-_NARROW_BITS = 20
 
 
 class ContactPoint(NamedTuple):
@@ -174,7 +173,7 @@ def _proved(at: ContactPoint, push: arb, x: arb, few: int) -> tuple[arb, arb, ar
         if not (region > 0 and region < 2 * arb.pi()):
             return None
         with precision(few):
-            steepness, bend = _over(at, push, region)
+            steepness, bend = _over(at, region)
         shift = at.value / steepness
         if steepness > 0 and region.contains_interior(x - shift if is_late(push) else x + shift):
             square = shift * shift / 2
@@ -184,17 +183,12 @@ def _proved(at: ContactPoint, push: arb, x: arb, few: int) -> tuple[arb, arb, ar
     return None
 
 
-def _over(at: ContactPoint, push: arb, region: arb) -> tuple[arb, arb]:
+def _over(at: ContactPoint, region: arb) -> tuple[arb, arb]:
     """Return minus the slope of the equation and h' over a ball of the variable about a point.
 
-    c' = h, and c, h and h' = 1 - h cot > 0 grow with theta. Of a narrow ball, 1 + k h >= h' bounds the growth of h from
-    its middle; of a wide one the ends say more.
+    c' = h, and c, h and h' = 1 - h cot > 0 grow with theta; 1 + k h >= h' bounds the growth of h from its middle.
     """
-    if region.rel_accuracy_bits() > _NARROW_BITS:
-        spread, k = region.rad(), abs((region / 2).cot()).upper()
-        most = (at.rise + spread) * (k * spread).exp()
-        depth, bend = at.depth + arb(0, (most * spread).upper()), 1 + k * most
-    else:
-        one, two = (point_at(at.gap, push, end) for end in (region.lower(), region.upper()))
-        depth, bend = one.depth.union(two.depth), (1 - one.rise * one.cotangent).union(1 - two.rise * two.cotangent)
+    spread, k = region.rad(), abs((region / 2).cot()).upper()
+    most = (at.rise + spread) * (k * spread).exp()
+    depth, bend = at.depth + arb(0, (most * spread).upper()), 1 + k * most
     return (depth + at.gap) / versine(region), arb(0).union(bend)

@@ -54,24 +54,13 @@ class Frame:
         """Return (x1, v1, x2, v2) in reduced coordinates; without an excess, w is formed from the state."""
         x1, v1, x2, v2 = y
         X, V1, V2 = x1 / self.length, v1 / self.speed, v2 / self.speed
-        w = self.energy_ratio(X, V1, V2) - 1 if excess is None else excess
+        w = X * X + self.q * V1 * V1 + self.r * V2 * V2 - 1 if excess is None else excess
         return ReducedState(X, V1, V2, (x1 - x2) / self.length, w)
 
     def in_si(self, state: ReducedState) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) in m and m/s of a reduced state."""
         X, V1, V2, Z, _ = state
         return self.length * X, self.speed * V1, self.length * (X - Z), self.speed * V2
-
-    def energy(self, state: ReducedState) -> Number:
-        """Return E in J, formed from the state."""
-        return self.critical_energy * self.energy_ratio(state.X, state.V1, state.V2)
-
-    def energy_ratio(self, X: Number, V1: Number, V2: Number) -> Number:
-        """Return E/E_cr = X^2 + q V1^2 + r V2^2, formed from the state: in float64 within 3.5 ulp.
-
-        Each term is > 0 and has 2 u or less, u = 2^-53, the first sum adds 1 u and the second 0.5 ulp.
-        """
-        return X * X + self.q * V1 * V1 + self.r * V2 * V2
 
 
 def begin(scene: Scene, frame: Frame) -> Start:

@@ -26,22 +26,26 @@ MAX_BYTES = 2**25
 _PIECE = "from polynomial sines"
 _SIGNAL = f"{_PIECE} file kind"
 _REFERENCE = {"reference": ("", _PIECE)}
-_SCENE = {
-    "pair": ("m1 m2 a2 b", "a1 b_static shape"),
+_SURFACE = {
+    "pair": ("m1 m2 a2 b", "a1 shape"),
     "initial": ("", "x1 v1 x2 v2"),
     "run": ("until", "law"),
+    "force": ("", f"{_SIGNAL} axis"),
+    "friction": ("from b", ""),
+}
+_LINE = _SURFACE | {
+    "pair": ("m1 m2 a2 b", "a1 b_static"),
     "weakening": ("", "speed last_slope place"),
-    "force": ("", f"{_SIGNAL} axis body"),
+    "force": ("", f"{_SIGNAL} body"),
     "friction": ("", f"{_SIGNAL} b"),
     "belt": ("", _SIGNAL),
     "wall": ("", _SIGNAL),
 }
 """The keys of each table: those that it must have, and others."""
+_ON_A_LINE = {"weakening", "belt", "wall", "b_static", "body"}
 _SINE = ("amplitude omega", "phase")
 _REPEATED = {"force", "friction", "belt", "wall", "reference"}
 """Tables of which there may be many."""
-_SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars", " ": "blanks"}
-_ON_A_LINE = ("weakening", "belt", "wall", "b_static", "body")
 _FOLDER = resources.files("numerics") / "scene"
 
 
@@ -92,7 +96,9 @@ def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:
     [0.0, 2.0]
     """
     text, file = _text_and_file(name_or_path, "references", "reference", "a TOML file of [[reference]] tables")
-    return tuple(_read("reference", _tables(text, "reference", file, _REFERENCE), _piece))
+    tables = _tables(text, "reference", file)
+    _require_tables(tables, "reference", _REFERENCE)
+    return tuple(_read("reference", tables, _piece))
 
 
 def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tuple[str, str]:
@@ -136,39 +142,39 @@ def parse_scene(text: str, file: str = "") -> Scene:
 
     The name of its file is where the files of samples are looked for, and is said in errors. Raises InvalidScene.
     """
-    tables, folder = _tables(text, "scene", file, _SCENE), Path(file).parent
-    pair, initial, run, force = tables["pair"], tables.get("initial", {}), tables["run"], tables.get("force", ())
-    lists = {key: one for key, one in (pair | initial).items() if isinstance(one, list)}
-    law = read_law(run.get("law", Law.FILIPPOV))
-    is_named = "shape" in pair or any("axis" in one for one in force)
-    if len(lists) == 1 and lists.keys() <= pair.keys() and not is_named:
+    tables, folder = _tables(text, "scene", file), Path(file).parent
+    numbers = [table for name in ("pair", "initial") if isinstance(table := tables.get(name), dict)]
+    lists = {key: one for table in numbers for key, one in table.items() if isinstance(one, list)}
+    pieces = [one for one in _some(tables.get("force")) if isinstance(one, dict)]
+    is_named = "shape" in _some(tables.get("pair")) or any("axis" in one for one in pieces)
+    if len(lists) == 1 and lists.keys() <= tables["pair"].keys() and not is_named:
         ((key, one),) = lists.items()
         raise InvalidScene(
             f"{key} = {shown(one)} is a list; give one number on a line, arrays to "
             'solve_many, and a pair on a surface also shape = "ellipsoid"'
         )
-    if not (lists or is_named):
+    on_surface = bool(lists or is_named)
+    _require_tables(tables, "scene on a surface" if on_surface else "scene", _SURFACE if on_surface else _LINE)
+    initial, until = tables.get("initial", {}), tables["run"]["until"]
+    law = read_law(tables["run"].get("law", Law.FILIPPOV))
+    steps = chain.from_iterable(_read("friction", tables, lambda one: _friction_pieces(one, folder)))
+    if not on_surface:
         on_bodies = _signals(tables, "force", folder, "body", (1, 2))
-        changes = _read("friction", tables, lambda one: Friction(_friction_pieces(one, folder)).pieces)
-        friction = Friction(
-            chain.from_iterable(changes), Weakening(**tables["weakening"]) if "weakening" in tables else None
-        )
+        weakening = Weakening(**tables["weakening"]) if "weakening" in tables else None
         others = (_signals(tables, name, folder)[0] for name in ("belt", "wall"))
-        start = Pair(**pair), State(**initial), run["until"], law
-        return Scene(*start, on_bodies[0], friction, on_bodies[1], *others)
-    for name in _ON_A_LINE:
-        if name in {*tables, *pair, *(key for one in force for key in one)}:
-            raise InvalidScene(f"{name} is for bodies on one line; leave it out, or give scalars in [pair]")
+        start = Pair(**tables["pair"]), State(**initial), until, law
+        return Scene(*start, on_bodies[0], Friction(steps, weakening), on_bodies[1], *others)
     if law is not Law.FILIPPOV:
         raise InvalidScene("on a surface the law is filippov; sgn(0) = 0 does not define a direction; leave it out")
     along = _signals(tables, "force", folder, "axis", AXES)
-    n = max([2, *map(len, lists.values()), *(AXES.index(one.get("axis", "x")) + 1 for one in force)])
-    if any(one.keys() & {"polynomial", "sines", "file"} for one in tables.get("friction", ())):
-        raise InvalidScene("on a surface b is constant by pieces; give each [[friction]] a from and a b")
-    changes = _read("friction", tables, lambda one: _friction_pieces(one, folder))
-    steps = chain.from_iterable(changes)
-    surface = PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=along[:n], friction=steps)
+    n = max([2, *map(len, lists.values()), *(AXES.index(one.get("axis", "x")) + 1 for one in pieces)])
+    surface = PlaneScene(PlanePair(**tables["pair"], axes=n), until, **initial, force=along[:n], friction=steps)
     return cast("Scene", surface)  # what is asked of a Scene is refused by type
+
+
+def _some(given: Any) -> Any:
+    """Return what can be looked through."""
+    return given if isinstance(given, (dict, list)) else ()
 
 
 def _signals(
@@ -202,11 +208,9 @@ def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
     if not rows:
         raise InvalidScene(f"{shown(file)} holds no samples; give a line t, u for each")
     for number, row in enumerate(rows, first + 1):
-        line, place = lines[number - 1], f"row {number} of {shown(file)}, {shown(lines[number - 1])},"
-        separators = [name for sign, name in _SEPARATORS.items() if sign in line and (sign != " " or "," not in line)]
-        if len(row) != 2 or ";" in line:
-            found = f", but separated by {separators[0]}" if separators else ""
-            raise InvalidScene(f"{place} is not a t and a u{found}; write 0.5, 1.25 with decimal points and one comma")
+        if len(row) != 2 or ";" in lines[number - 1]:
+            place = f"row {number} of {shown(file)}, {shown(lines[number - 1])},"
+            raise InvalidScene(f"{place} is not a t and a u; write 0.5, 1.25 with decimal points and one comma")
     t, u = zip(*rows, strict=True)
     try:
         return Signal.samples(t, u, table.get("kind", "linear"), first + 1).pieces
@@ -214,39 +218,38 @@ def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
         raise InvalidScene(f"{shown(file)}: {error}") from None
 
 
-def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) -> dict[str, Any]:
-    """Return the tables of a text, whose names and keys are known, with all keys that they must have."""
+def _tables(text: str, what: str, file: str) -> dict[str, Any]:
+    """Return the tables of a text. Raises InvalidScene."""
     try:
         # floats stay text until decimals.py has checked them: 0.005 must be 1/200, 1e999999999 must cost nothing
-        tables = tomllib.loads(text, parse_float=lambda number: number.replace("_", ""))
-    except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
-        if file.lower().endswith((".csv", ".txt", ".dat")):
-            raise InvalidScene(
-                f"{file!r} is a table, not a TOML {what}; name it as file = {file!r} in a [[force]] of a scene"
-            ) from None
+        return tomllib.loads(text, parse_float=lambda number: number.replace("_", ""))
+    except (ValueError, RecursionError) as error:
         reason = "a number has thousands of digits" if "integer string" in str(error) else " ".join(str(error).split())
         place = re.search(r"at line (\d+)", reason)
         line = f", {shown(text.splitlines()[int(place[1]) - 1])}" if place else ""
-        named = "standard input" if file == "-" else repr(file)
-        remedy = "write key = 0.05, with a decimal point, texts in quotes"
-        raise InvalidScene(
-            f"{f'{named} is ' if file else ''}not a TOML {what}: {reason[:200]}{line}; {remedy}"
-        ) from None
+        named = {"": "", "-": "standard input is "}.get(file, f"{file!r} is ")
+        remedy = "write key = 0.05, with a decimal point, texts in quotes; samples are a file = ... in a [[force]]"
+        raise InvalidScene(f"{named}not a TOML {what}: {reason[:200]}{line}; {remedy}") from None
+
+
+def _require_tables(tables: dict[str, Any], what: str, known: dict[str, tuple[str, str]]) -> None:
+    """Raise InvalidScene unless names and keys of tables are known, and all are there that there must be."""
     headed = {name: f"[[{name}]]" if name in _REPEATED else f"[{name}]" for name in known}
     for name in tables:
         if name not in known:
-            right = right_word(name, [*known], f"a {what} has {', '.join(headed.values())}")
+            right = _right(name, [*known], f"a {what} has {', '.join(headed.values())}")
             raise InvalidScene(f"unknown table or key [{name[:40]!r}]; {right}")
     for name, keys in known.items():
+        given = tables.get(name, [] if name in _REPEATED else {})
         if name not in _REPEATED:
-            _require_keys(tables.get(name, {}), keys, headed[name])
-        elif not isinstance(tables.get(name, []), list):
+            _require_keys(given, keys, f"{headed[name]} of a {what}")
+        elif not isinstance(given, list):
             raise InvalidScene(
                 f"{name} must be tables of its pieces; write {headed[name]} on a line of its own for each"
             )
-        for number, one in enumerate(tables.get(name, ()) if name in _REPEATED else (), start=1):
-            _require_keys(one, keys, f"{headed[name]} number {number}")
-    return tables
+        else:
+            for number, one in enumerate(given, start=1):
+                _require_keys(one, keys, f"{headed[name]} number {number} of a {what}")
 
 
 def _read(name: str, tables: dict[str, Any], read: Callable[[dict[str, Any]], Any]) -> list[Any]:
@@ -271,37 +274,36 @@ def _piece(table: dict[str, Any]) -> Piece:
 
 
 def _friction_pieces(table: dict[str, Any], folder: Path) -> Sequence[Any]:
-    """Return pieces of friction: each its start and a constant b, or a Piece."""
+    """Return pieces of friction: each its start and a constant b, or a Piece; b may stand beside sines."""
     if "file" in table:
         return _samples(table, folder)
-    return [_friction_piece(table)]
-
-
-def _friction_piece(table: dict[str, Any]) -> Any:
-    if "from" not in table:
-        raise InvalidScene("missing key from; give it")
-    if len(table) < 2:
-        raise InvalidScene("missing key b; give b, or polynomial and sines")
+    if missing := "from" if "from" not in table else "b" if len(table) < 2 else "":
+        raise InvalidScene(f"missing key {missing}; give it (for b: polynomial and sines will do)")
     if "b" not in table:
-        return _piece(table)
+        return [_piece(table)]
     if "polynomial" in table:
         raise InvalidScene("b stands beside polynomial, whose first number it is; leave out either")
     if "sines" in table:
-        return _piece({"polynomial": [table["b"]], **{key: one for key, one in table.items() if key != "b"}})
-    return table["from"], table["b"]
+        return [_piece({"polynomial": [table["b"]], **{key: one for key, one in table.items() if key != "b"}})]
+    return [(table["from"], table["b"])]
 
 
 def _require_keys(content: Any, keys: tuple[str, str], where: str) -> None:
     """Raise InvalidScene unless a table has the keys that it must have, and no unknown ones."""
-    required, known = keys[0].split(), " ".join(sorted(" ".join(keys).split()))
+    required, known = keys[0].split(), sorted(" ".join(keys).split())
     if not isinstance(content, dict):
-        raise InvalidScene(f"{where} must be a table with the keys {known}, not {shown(content)}; give it its keys")
+        raise InvalidScene(f"{where} must be a table with the keys {' '.join(known)}, not {shown(content)}; give it so")
     for key in content:
-        if key not in known.split():
-            raise InvalidScene(f"{where}: unknown key {key[:40]!r}; {right_word(key, known.split())}")
+        if key not in known:
+            raise InvalidScene(f"{where}: unknown key {key[:40]!r}; {_right(key, known)}")
     for key in required:
         if key not in content:
             raise InvalidScene(f"{where}: missing key {key}; give it")
+
+
+def _right(word: str, known: list[str], otherwise: str = "") -> str:
+    """Return what to write instead of a name of a table or key."""
+    return "it is for bodies on one line" if word in _ON_A_LINE else right_word(word, known, otherwise)
 
 
 def scene_text(scene: Scene | PlaneScene) -> str:
@@ -318,48 +320,40 @@ def scene_text(scene: Scene | PlaneScene) -> str:
 
 def _lines(scene: Any) -> Iterator[str]:
     """Yield the lines; on a surface numbers are lists, and a piece of force has its axis."""
+    yield from _table("[pair]", scene.pair, "m1 m2 a1 a2 b b_static shape")
     if isinstance(scene, PlaneScene):
-        yield from (*_table("pair", scene.pair, "m1 m2 a1 a2 b"), f'shape = "{scene.pair.shape}"')
-        yield from (*_table("initial", scene, "x1 v1 x2 v2"), *_table("run", scene, "until"))
-        for axis, force in zip(AXES, scene.force, strict=False):
-            yield from _pieces("force", force.pieces, f'axis = "{axis}"')
+        yield from (*_table("[initial]", scene, "x1 v1 x2 v2"), *_table("[run]", scene, "until"))
+        forces = [("force", f'axis = "{axis}"', force.pieces) for axis, force in zip(AXES, scene.force, strict=False)]
         for start, b in scene.friction:
             yield from ("[[friction]]", f"from = {_text(start)}", f"b = {_text(b)}")
-        return
-    yield from _table("pair", scene.pair, "m1 m2 a1 a2 b" + " b_static" * (scene.pair.b_static is not None))
-    yield from (*_table("initial", scene.initial, "x1 v1 x2 v2"), *_table("run", scene, "until"))
-    if scene.law is not Law.FILIPPOV:
-        yield f'law = "{scene.law.value}"'
-    if scene.friction.weakening is not None:
-        yield from _table("weakening", scene.friction.weakening, "last_slope speed place")
-    for name, pieces in scene.pieces.items():
-        yield from _pieces("force", pieces, "body = 2") if name == "force_2" else _pieces(name, pieces)
+    else:
+        yield from (*_table("[initial]", scene.initial, "x1 v1 x2 v2"), *_table("[run]", scene, "until law"))
+        if scene.friction.weakening is not None:
+            yield from _table("[weakening]", scene.friction.weakening, "last_slope speed place")
+        forces = [(name, "body = 2" if name == "force_2" else "", some) for name, some in scene.pieces.items()]
+    for name, more, pieces in forces:
+        for piece in pieces:
+            yield from filter(None, (f"[[{name.removesuffix('_2')}]]", more, f"from = {_text(piece.start)}"))
+            if name == "friction" and piece.constant is not None:
+                yield f"b = {_text(piece.constant)}"
+            else:
+                yield f"polynomial = {_text(piece.polynomial)}"
+                sines = (", ".join(_table("", one, "amplitude omega phase")) for one in piece.sines)
+                yield f"sines = [{', '.join(f'{{ {one} }}' for one in sines)}]"
 
 
-def _table(name: str, of: Any, keys: str) -> Iterator[str]:
-    yield f"[{name}]"
-    yield from (f"{key} = {_text(getattr(of, key))}" for key in keys.split())
-
-
-def _pieces(name: str, pieces: tuple[Piece, ...], *more: str) -> Iterator[str]:
-    for piece in pieces:
-        yield from (f"[[{name}]]", *more, f"from = {_text(piece.start)}")
-        if name == "friction" and piece.constant is not None:
-            yield f"b = {_text(piece.constant)}"
-            continue
-        yield f"polynomial = {_text(piece.polynomial)}"
-        sines = (
-            f"{{ amplitude = {_text(s.amplitude)}, omega = {_text(s.omega)}, phase = {_text(s.phase)} }}"
-            for s in piece.sines
-        )
-        yield f"sines = [{', '.join(sines)}]"
+def _table(head: str, of: Any, keys: str) -> Iterator[str]:
+    """Yield a head, if there is one, and the keys that are there."""
+    yield from filter(None, [head])
+    values = ((key, getattr(of, key, None)) for key in keys.split())
+    yield from (f"{key} = {_text(value)}" for key, value in values if value is not None)
 
 
 def _text(value: Any) -> str:
-    """Return a number, or a list."""
+    """Return a number, a word, or a list."""
     if isinstance(value, tuple):
         return f"[{', '.join(map(_text, value))}]"
-    if isinstance(value, float):
-        return '"inf"'
+    if isinstance(value, (float, str, Law)):
+        return f'"{value.value if isinstance(value, Law) else value}"'
     text = decimal_text(value)
     return f'"{text}"' if "/" in text or len(text) > 18 else text  # TOML's whole numbers have 64 bits

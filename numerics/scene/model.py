@@ -87,13 +87,8 @@ class Pair(ShortRepr):
     @property
     def extra(self) -> str:
         """What the pair has beyond a spring, two masses and one b > 0; "" for nothing."""
-        found = {
-            "a2 = 0": not self.a2,
-            "b = 0": not self.b,
-            'm2 = "inf"': self.is_fixed,
-            "b_static": self.b_static is not None,
-        }
-        return next((name for name, is_so in found.items() if is_so), "")
+        is_static = self.b_static is not None
+        return _first({"a2 = 0": not self.a2, "b = 0": not self.b, 'm2 = "inf"': self.is_fixed, "b_static": is_static})
 
     @property
     def mass(self) -> Fraction:
@@ -152,6 +147,10 @@ class State(ShortRepr):
     def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
         """Read every coordinate as an exact decimal."""
         keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
+
+
+def _first(found: dict[str, Any]) -> str:
+    return next((name for name, is_so in found.items() if is_so), "")
 
 
 def require_kind(asking: str, value: object, kind: type, remedy: str) -> None:
@@ -223,11 +222,9 @@ class Scene(ShortRepr):
         put(self, until=positive(until, "until", HORIZON), force_2=force_2, belt=belt, wall=wall)
         require_nonnegative(friction, self.until)
         if friction.weakening and (pair.b_static is not None or not pair.b or not friction.is_stepwise):
-            what = (
-                "b_static" if pair.b_static is not None else "b = 0" if not pair.b else "friction by pieces that vary"
-            )
             raise InvalidScene(
-                f"{what} cannot stand beside [weakening], which scales b > 0 by constant steps; leave one out"
+                "b_static, b = 0 and pieces that vary cannot stand beside [weakening], which scales b > 0 by constant "
+                "steps; leave one out"
             )
         if pair.is_fixed:
             self._take_belt()
@@ -294,7 +291,7 @@ class Scene(ShortRepr):
             "friction that varies within a piece": not self.friction.is_stepwise,
             "friction that depends on the state": self.friction.weakening,
         }
-        return self.pair.extra or next((name for name, is_so in found.items() if is_so), "")
+        return self.pair.extra or _first(found)
 
     @property
     def is_forced(self) -> bool:

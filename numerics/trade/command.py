@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from numerics.exits import OK
-from numerics.shown import print_table, shown_steps, write_figure
+from numerics.meter import shown_steps
+from numerics.shown import print_table, write_figure
 
 MEANING = """Settings are digits, steps or tolerances. Times are processor times of warm calls, in turns with float64.
 Errors are the largest, against a proved run: of event times relative to the last one, of states at events and horizon
@@ -38,16 +39,15 @@ def print_trade(trade: Any) -> None:
     for scene, what in trade.scenes.items():
         print(f"{scene}: {what}".removesuffix(": "))
         print_table(
-            ("method", "setting", "time", "by float64", "times off", "states off", "found", "missed", "extra", ""),
+            ("method", "setting", "time", "by float64", "off", "events", ""),
             [
                 (
                     one.method,
                     f"{one.setting:g}" if one.setting else "",
                     seconds_text(one.seconds),
                     "-" if one.ratio is None else f"{one.ratio:.3g}",
-                    error_text(one.time_digits),
-                    error_text(one.state_digits),
-                    *map(str, one[5:8]),
+                    error_text(one.digits),
+                    str(one.events),
                     one.note,
                 )
                 for one in trade.of(scene)

@@ -11,14 +11,8 @@ import numpy as np
 from numerics.scene.plane import PlaneScene
 from numerics.solver.solve import ArithmeticName, solve
 from numerics.trade.forward_euler import euler_peer, not_marched
-from numerics.trade.integrators import heyoka_arcs, scipy_arcs
 from numerics.trade.judge import MAX_EVENTS, Call, looked_at
-from numerics.trade.switched import switched, unknown
-
-
-def only_on_a_line(scene: Any) -> str | None:
-    """Return what float64 does not solve, in words."""
-    return "a surface" if isinstance(scene, PlaneScene) else None
+from numerics.trade.peers import heyoka_arcs, scipy_arcs, switched, unknown
 
 
 class Contender(NamedTuple):
@@ -29,16 +23,13 @@ class Contender(NamedTuple):
     prepare: Callable[[Any, float], Call]
     """prepare(scene, setting) builds and compiles everything; the call that it returns solves the scene each time."""
     unknown: Callable[[Any], str | None]
-    package: str = ""
+    """Of a scene in words why it is not solved."""
+    package: str = "numpy"
     """What has to be installed."""
-
-    def settings_up_to(self, digits: int) -> tuple[float, ...]:
-        """Return the settings; balls go up to the digits that are asked for."""
-        return self.settings if self.name != BALLS else (*(few for few in self.settings if few < digits), digits)
 
     def left_out(self, scene: Any) -> str | None:
         """Return in words why it does not solve a scene; None if it does."""
-        if self.package and not find_spec(self.package):
+        if not find_spec(self.package):
             return f"needs {self.package} (extra `comparisons`)"
         of = self.unknown(scene)
         return of and f"not for {of}"
@@ -57,7 +48,7 @@ def ours(arithmetic: ArithmeticName) -> Callable[[Any, float], Call]:
 FLOAT64, BALLS, PEERS = "float64", "balls", ("heyoka", "heyoka long double")
 """Ours, and whom it is measured against: the fastest integrator of its kind that we know."""
 CONTENDERS = (
-    Contender(FLOAT64, (0,), ours("float64"), only_on_a_line),
+    Contender(FLOAT64, (0,), ours("float64"), lambda scene: "a surface" if isinstance(scene, PlaneScene) else None),
     Contender(BALLS, (15, 30, 100, 300, 1000), ours("ball"), lambda _: None),
     Contender("forward Euler", (1e3, 1e4, 1e5, 1e6), euler_peer, not_marched),
     Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), unknown, "scipy"),

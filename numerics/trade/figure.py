@@ -17,28 +17,22 @@ FEWEST = 0.5
 def draw_trade(trade: Trade, size: tuple[float, float] = (7.2, 4.6)) -> Any:
     """Return a matplotlib figure, size in inches: right digits upwards, time by that of float64 to the right.
 
-    A small mark is a method with a setting on a scene; larger ones, joined by a line, are the medians over
-    several scenes. Hollow: an event is wrong, however many digits agree.
+    A mark is a method with a setting on a scene, hollow where an event is wrong; a line joins the medians over scenes.
     """
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, layout="constrained")
-    panel, big = figure.subplots(), 5 if len(trade.scenes) == 1 else 8
-    rows = [one for one in trade.rows if one.seconds]
+    panel, rows = figure.subplots(), [one for one in trade.rows if one.seconds]
     in_seconds = any(one.ratio is None for one in rows)
     for place, method in enumerate(dict.fromkeys(one.method for one in rows)):
-        look: dict[str, Any] = {"marker": MARKERS[place], "color": f"C{place}"}
-        middle = []
-        for setting in dict.fromkeys(one.setting for one in rows if one.method == method):
-            some = [one for one in rows if (one.method, one.setting) == (method, setting)]
-            points = [((one.seconds if in_seconds else one.ratio) or 0.0, max(one.digits, FEWEST)) for one in some]
-            for row, (x, y) in zip(some, points, strict=True):
-                panel.plot(x, y, **look, ms=5, alpha=0.6, mfc=look["color"] if row.right else "none")
-            middle.append(tuple(map(median, zip(*points, strict=True))))
-            right = all(one.right for one in some)
-            panel.plot(*middle[-1], **look, ms=big, mfc=look["color"] if right else "white")
-        panel.plot(*zip(*middle, strict=True), color=look["color"], zorder=1)
-        panel.plot([], [], **look, label=method)
+        own, color = [one for one in rows if one.method == method], f"C{place}"
+        points = [(one.seconds if in_seconds else one.ratio, max(one.digits or 0.0, FEWEST)) for one in own]
+        filled = [color if one.right else "none" for one in own]
+        look: dict[str, Any] = {"marker": MARKERS[place], "edgecolors": color, "facecolors": filled, "s": 30}
+        panel.scatter(*zip(*points, strict=True), **look, alpha=0.7, label=method)
+        settings = dict.fromkeys(one.setting for one in own)
+        some = ([point for one, point in zip(own, points, strict=True) if one.setting == k] for k in settings)
+        panel.plot(*zip(*[tuple(map(median, zip(*one, strict=True))) for one in some], strict=True), color=color)
     panel.set(xscale="log", yscale="log", ylabel="right digits of the worst error")
     panel.set_xlabel("time (s)" if in_seconds else "time, by that of float64 on the same scene")
     panel.set_yticks(TICKS, [*map(str, TICKS)])

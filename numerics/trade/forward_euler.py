@@ -23,23 +23,20 @@ from numpy.typing import NDArray
 from numerics.arithmetic.compiled import compiled
 from numerics.linear.exact_start import mode_at_start
 from numerics.linear.modes import MODES
-from numerics.linear.pieces import pieces_of
 from numerics.scene import Law, Scene
 from numerics.trade.judge import Call, Run
-from numerics.trade.switched import unknown
+from numerics.trade.peers import unknown
 
 Vector = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class EulerRun:
-    """Samples of a forward Euler run: t (n,) s, y (4, n) with rows x1, v1, x2, v2, u and b (N); approximate."""
+    """Samples of a forward Euler run: t (n,) s, y (4, n) with rows x1, v1, x2, v2; approximate."""
 
     scene: Scene
     t: Vector
     y: Vector
-    u: Vector
-    b: Vector
 
     @property
     def sign(self) -> Vector:
@@ -48,10 +45,9 @@ class EulerRun:
 
     @property
     def load(self) -> Vector:
-        """Return a2 x1 + a1 v1 - u by the largest one that stick holds, at every step."""
+        """Return a2 x1 + a1 v1 by the largest one that stick holds, at every step."""
         pair = self.scene.pair
-        pull = float(pair.a2) * self.y[0] + float(pair.a1) * self.y[1] - self.u
-        return pull / (self.b * float(pair.mass / pair.m2))
+        return (float(pair.a2) * self.y[0] + float(pair.a1) * self.y[1]) / float(pair.b / pair.share_2)
 
     @property
     def chatter(self) -> int:
@@ -70,37 +66,24 @@ class EulerRun:
         return np.asarray(self.scene.pair.energy(self.y, float))
 
 
-def march(
-    y: Vector, u: Vector, b: Vector, step: float, literal: bool, m1: float, m2: float, a1: float, a2: float
-) -> None:
+def march(y: Vector, step: float, literal: bool, m1: float, m2: float, a1: float, a2: float, b: float) -> None:
     """Fill the columns of y, (4, n), from the first one on: plain arithmetic, fit for a compiler."""
     x1, v1, x2, v2 = float(y[0, 0]), float(y[1, 0]), float(y[2, 0]), float(y[3, 0])
     for n in range(1, y.shape[1]):
-        load, friction = a2 * x1 + a1 * v1 - float(u[n - 1]), float(b[n - 1])
+        load = a2 * x1 + a1 * v1
         sign = (v1 > v2) * 1 - (v1 < v2) * 1
-        if sign == 0 and not literal and abs(load) > friction * (m1 + m2) / m2:
+        if sign == 0 and not literal and abs(load) > b * (m1 + m2) / m2:
             sign = -1 if load > 0 else 1
         if sign != 0:
-            dv1, dv2 = -(load + friction * sign) / m1, friction * sign / m2
+            dv1, dv2 = -(load + b * sign) / m1, b * sign / m2
         else:
             dv1 = dv2 = -load / (m1 + m2)
         x1, v1, x2, v2 = x1 + step * v1, v1 + step * dv1, x2 + step * v2, v2 + step * dv2
         y[0, n], y[1, n], y[2, n], y[3, n] = x1, v1, x2, v2
 
 
-def acting(scene: Scene, t: Vector) -> tuple[Vector, Vector]:
-    """Return the force on body 1 and the friction force at these times, N."""
-    u, b = np.zeros_like(t), np.zeros_like(t)
-    for piece in pieces_of(scene):
-        on = t >= float(piece.start)
-        u[on] = np.polyval([*map(float, reversed(piece.polynomial))], t[on] - float(piece.start))
-        u[on] += sum(float(s.amplitude) * np.sin(float(s.omega) * t[on] + float(s.phase)) for s in piece.sines)
-        b[on] = float(piece.b)
-    return u, b
-
-
 def forward_euler(scene: Scene, step: float) -> EulerRun:
-    """Integrate a scene with the explicit Euler method of the given step (s) > 0. Raises ValueError.
+    """Integrate a scene without a force by the explicit Euler method of the given step (s) > 0. Raises ValueError.
 
     Where v1 = v2 holds exactly: the law `three-valued-sgn` uses the stick branch of eqs (11)-(12), generalised to any
     masses; the law `filippov` uses it inside the sliding region only, and the slip field that leads away outside.
@@ -112,15 +95,14 @@ def forward_euler(scene: Scene, step: float) -> EulerRun:
     y = np.empty((4, steps + 1))
     y[:, 0] = [float(one) for one in (at.x1, at.v1, at.x2, at.v2)]
     t = np.linspace(0.0, step * steps, steps + 1)
-    u, b = acting(scene, t)
-    numbers = [float(one) for one in (pair.m1, pair.m2, pair.a1, pair.a2)]
-    compiled(march)(y, u, b, step, scene.law is Law.THREE_VALUED_SGN, *numbers)
-    return EulerRun(scene, t, y, u, b)
+    numbers = [float(one) for one in (pair.m1, pair.m2, pair.a1, pair.a2, pair.b)]
+    compiled(march)(y, step, scene.law is Law.THREE_VALUED_SGN, *numbers)
+    return EulerRun(scene, t, y)
 
 
 def not_marched(scene: Any) -> str | None:
-    """Return in words what forward Euler is not written down for."""
-    return unknown(scene) or scene.extra or None
+    """Return in words what forward Euler is not written down for: all but the paper's equations."""
+    return unknown(scene) or scene.extra or ("a force" if scene.is_forced else None)
 
 
 def euler_peer(scene: Scene, steps: float) -> Call:

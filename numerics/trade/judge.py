@@ -1,19 +1,15 @@
 """How right a run is, held against a proved one; every error in balls, so that 1e-1000 is a number.
 
-- An event of a run is found if its change of mode is that of the true event next to it, within half the gap between
-  that event and its nearer neighbour; the start is a neighbour, the horizon is none. True events that nothing found are
-  missed, events of the run that found nothing are extra.
-- The error of the times is the largest one of an event that was found, relative to the last true event's time.
-- The error of the states is the largest one at the events that were found and at the horizon, of positions relative to
-  the largest |x1|, |x2| along the run, of velocities likewise.
-
-Both are upper bounds, as the radius of the proved run is part of them; where an event is wrong they count for nothing.
+Event by event its modes must be the true ones. Where they are, the error is the largest one of event times, relative to
+the last true event's time, and of states at the events and at the horizon, positions relative to the largest |x1|, |x2|
+along the run, velocities likewise. The radius of the proved run is part of it.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
+from itertools import zip_longest
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -44,17 +40,11 @@ Call = Callable[[], Run]
 
 
 class Judgement(NamedTuple):
-    """How many events are found, missed and extra; and the digits (-log10) of the errors of times and of states."""
+    """How many events are right from the start on, -log10 of the largest error, and what is wrong, if something is."""
 
-    found: int
-    missed: int
-    extra: int
-    time_digits: float | None
-    """None where no event was found."""
-    state_digits: float | None
-    """None where the run gives no number."""
+    events: int
+    digits: float | None
     note: str
-    """The first event that is wrong; empty where all are right."""
 
 
 def looked_at(trajectory: Any) -> Run:
@@ -72,66 +62,34 @@ def proved(scene: Any, digits: int = 0) -> Run:
 
 def judge(run: Run, truth: Run, digits: int = 0) -> Judgement:
     """Hold a run against the `proved` reference of as many digits."""
+    pairs = [*zip_longest(run.modes, truth.modes)]
+    right = next((k for k, (said, true) in enumerate(pairs) if said != true), len(pairs))
     with Ball(digits + 2 * _SPARE_DIGITS).context():
-        run, truth = (Run(one.modes, [*map(as_arb, one.times)], one.states) for one in (run, truth))
-        pairs = list(matched(run, truth))
-        states = [*((j + 1, k + 1) for j, k in pairs), (-1, -1)]
-        late = [abs(run.times[j] - truth.times[k]) / truth.times[-1] for j, k in pairs]
-        off = _errors([run.states[j] for j, _ in states], [truth.states[k] for _, k in states], truth.states)
-        found, missed, extra = len(pairs), len(truth.times) - len(pairs), len(run.times) - len(pairs)
-        return Judgement(found, missed, extra, _digits(late), _digits(off), first_difference(run, truth, pairs))
+        if right < len(pairs):
+            event = max(1, right)
+            said, true = (_change(one, event) for one in (run, truth))
+            return Judgement(event - 1, None, f"event {event}: {said}; in truth {true}")
+        every = np.reshape(np.array([*truth.states], dtype=object), (right + 1, 4, -1))
+        errors = [abs(_ball(one) - true) / truth.times[-1] for one, true in zip(run.times, truth.times, strict=True)]
+        states = np.reshape(np.array([*run.states], dtype=object), every.shape)
+        for rows in (slice(0, None, 2), slice(1, None, 2)):
+            size = max(abs(one.mid()) for one in every[:, rows].flat)
+            off = (abs(_ball(x) - y) for x, y in zip(states[1:, rows].flat, every[1:, rows].flat, strict=True))
+            errors += [one / size if size > 0 else one for one in off]
+        if not all(one.is_finite() for one in errors):
+            return Judgement(right - 1, None, "not every number is finite")
+        # by the logarithm of a ball: it may be below the range of a float
+        worst = max(one.upper() for one in errors) + arb(10) ** -(10**6)
+        return Judgement(right - 1, math.floor(float(worst.log().mid()) / -math.log(10) * 100) / 100, "")
 
 
-def matched(run: Run, truth: Run) -> Iterator[tuple[int, int]]:
-    """Yield which event of a run is which true event: indices of both."""
-    times = [arb(0), *(one.mid() for one in truth.times), arb("inf")]
-    k, last = 1, len(truth.times)
-    for j, t in enumerate(run.times):
-        while k < last and t.mid() > (times[k] + times[k + 1]) / 2:
-            k += 1
-        if k > last:
-            return
-        gap = (times[k] - times[k - 1]).min(times[k + 1] - times[k])
-        if abs(t.mid() - times[k]) <= gap / 2 and run.modes[j : j + 2] == truth.modes[k - 1 : k + 1]:
-            yield j, k - 1
-            k += 1
+def _change(run: Run, event: int) -> str:
+    """Return in words what happens at an event, counted from 1, or that there is none."""
+    if event >= len(run.modes):
+        return f"{run.modes[-1]} to the end"
+    return f"{run.modes[event - 1]} to {run.modes[event]} at {float(run.times[event - 1]):.6g} s"
 
 
-def first_difference(run: Run, truth: Run, pairs: list[tuple[int, int]]) -> str:
-    """Return in words the first event that is not found, or that is none; empty if there is none."""
-    right = 0
-    while pairs[right : right + 1] == [(right, right)]:
-        right += 1
-    if right == len(run.times) == len(truth.times) and run.modes[0] == truth.modes[0]:
-        return ""
-    said, true = (
-        f"{' to '.join(one.modes[right : right + 2])} at {float(one.times[right].mid()):.6g} s"
-        if right < len(one.times)
-        else f"{one.modes[-1]} to the end"
-        for one in (run, truth)
-    )
-    return f"event {right + 1}: {said}; in truth {true}"
-
-
-def _errors(run: Any, truth: Any, along: Any) -> list[arb]:
-    """Return the errors of states (n, 4), relative to the largest position and velocity along the true run."""
-    numbers, true, every = (np.reshape(np.array(one, dtype=object), (len(one), 4, -1)) for one in (run, truth, along))
-    errors = list[arb]()
-    for rows in (slice(0, None, 2), slice(1, None, 2)):
-        size = max((abs(one.mid()) for one in every[:, rows].flat), default=arb(0))
-        off = [abs(as_arb(x) - y) for x, y in zip(numbers[:, rows].flat, true[:, rows].flat, strict=True)]
-        errors += [one / size if size > 0 else one for one in off]
-    return errors
-
-
-def _digits(errors: list[arb]) -> float | None:
-    """Return -log10 of the largest error, by the logarithm of a ball: it may be below the range of a float."""
-    if not errors or not all(one.is_finite() for one in errors):
-        return None
-    worst = max(one.upper() for one in errors) + arb(10) ** -(10**6)
-    return math.floor(float(worst.log().mid()) / -math.log(10) * 100) / 100
-
-
-def as_arb(value: Any) -> arb:
+def _ball(value: Any) -> arb:
     """Return a number of any arithmetic exactly, an enclosure as it is."""
     return as_ball(value) if isinstance(value, arb) or math.isfinite(value) else arb("nan")

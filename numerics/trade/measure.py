@@ -18,7 +18,7 @@ from typing import Any
 from numerics.errors import NumericsError
 from numerics.scene.file import load_scene
 from numerics.solver.many import solve_many
-from numerics.trade.contenders import CONTENDERS, FLOAT64
+from numerics.trade.contenders import BALLS, CONTENDERS, FLOAT64
 from numerics.trade.judge import Call, Judgement, Run, judge, proved
 from numerics.trade.recorded import Row, Trade, machine
 
@@ -49,7 +49,8 @@ def trade(
             if why := one.left_out(scene):
                 left_out[one.name] = why
                 continue
-            for setting in one.settings_up_to(digits):
+            lower = [few for few in one.settings if few < digits]
+            for setting in (*lower, digits) if one.name == BALLS else one.settings:
                 progress(f"{name}: {one.name} {setting:g}")
                 call, verdict = judged(partial(one.prepare, scene, setting), truth, digits)
                 base = call if one.name == FLOAT64 else base
@@ -63,7 +64,7 @@ def judged(prepare: Callable[[], Call], truth: Run, digits: int) -> tuple[Call |
         call = prepare()
         return call, judge(call(), truth, digits)
     except NumericsError as error:
-        return None, Judgement(0, 0, 0, None, None, str(error))
+        return None, Judgement(0, None, str(error))
 
 
 def timed(base: Call | None, call: Call | None) -> tuple[float | None, float | None]:
@@ -75,19 +76,15 @@ def timed(base: Call | None, call: Call | None) -> tuple[float | None, float | N
     return float(f"{theirs:.3g}"), float(f"{ratio:.3g}") if base else None
 
 
-def total_time(call: Call, loops: int) -> float:
-    """Return the processor time of so many calls, s, of all threads of this process."""
-    return timeit.timeit(call, timer=time.process_time, number=loops)
+def in_turns(*calls: Call) -> list[float]:
+    """Return the median times of some calls, s, warm and in turns: they share the noise."""
 
+    def taken(call: Call, loops: int) -> float:
+        return timeit.timeit(call, timer=time.process_time, number=loops) / loops
 
-def in_turns(ours: Call, theirs: Call) -> tuple[float, float]:
-    """Return the median times of both calls, s, warm and in turns: they share the noise."""
-    once = [max(total_time(call, 1), 1e-9) for call in (ours, theirs)]
-    loops = [max(1, round(BATCH / one)) for one in once]
-    turn = sum(one * count for one, count in zip(once, loops, strict=True))
+    once = [max(taken(call, 1), 1e-9) for call in calls]
     if max(once) > SLOW:
-        return once[0], once[1]
-    turns = max(5, math.ceil(BUDGET / turn))
-    taken = [[total_time(*one) / one[1] for one in zip((ours, theirs), loops, strict=True)] for _ in range(turns)]
-    mine, other = map(statistics.median, zip(*taken, strict=True))
-    return mine, other
+        return once
+    loops = [max(1, round(BATCH / one)) for one in once]
+    turns = max(5, math.ceil(BUDGET / sum(one * count for one, count in zip(once, loops, strict=True))))
+    return [statistics.median(one) for one in zip(*[map(taken, calls, loops) for _ in range(turns)], strict=True)]

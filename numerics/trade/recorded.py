@@ -12,13 +12,13 @@ the same run, in turns, so that a busy machine changes it little. Errors are jud
 from __future__ import annotations
 
 import json
-import math
 import os
 import platform
 import re
 from dataclasses import dataclass, fields
 from importlib.metadata import version
 from importlib.util import find_spec
+from itertools import starmap
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -43,14 +43,12 @@ class Row(NamedTuple):
     setting: float
     seconds: float | None
     """None where there is no answer."""
-    ratio: float | None
+    ratio: Any
     """To the time of float64; None where that has no answer."""
-    found: int
-    missed: int
-    extra: int
-    time_digits: float | None
-    state_digits: float | None
-    """-log10 of the largest error of event times and of states."""
+    events: int
+    """How many are right, from the start on."""
+    digits: Any
+    """-log10 of the largest error; None where there is no answer, or an event is wrong."""
     note: str
     """The first event that is wrong, or why there is no answer; empty where all are right."""
 
@@ -62,14 +60,7 @@ class Row(NamedTuple):
     @property
     def right(self) -> bool:
         """Whether there is an answer, and every event is right."""
-        return self.seconds is not None and not self.note
-
-    @property
-    def digits(self) -> float:
-        """The right digits of the worst error; -inf where there is no answer, or no number."""
-        if self.seconds is None or self.state_digits is None:
-            return -math.inf
-        return min(self.state_digits, math.inf if self.time_digits is None else self.time_digits)
+        return self.digits is not None
 
 
 class Lead(NamedTuple):
@@ -106,10 +97,9 @@ class Trade:
             return None
         best = list[Row]()
         for peer in PEERS:
-            some = [one for one in self.of(scene, peer) if one.right and one.ratio]
-            enough = [one for one in some if one.digits >= ours.digits]
-            best += [min(enough, key=_ratio)] if enough else sorted(some, key=lambda one: -one.digits)[:1]
-        return Lead(_ratio(one), one, ours) if best and (one := min(best, key=_ratio)) else None
+            some = [one for one in self.of(scene, peer) if one.right]
+            best += sorted(some, key=lambda one: (-min(one.digits, ours.digits), one.ratio))[:1]
+        return Lead((one := min(best, key=lambda one: one.ratio)).ratio, one, ours) if best else None
 
     def text(self) -> str:
         """Return the trade as JSON, a line for each row."""
@@ -119,25 +109,18 @@ class Trade:
         return f'{json.dumps(head, indent=1)[:-2]},\n "rows": [\n{rows}]}}\n'
 
 
-def _ratio(row: Row) -> float:
-    return row.ratio or math.inf
-
-
 def recorded(file: Path | None = None) -> Trade:
     """Return the trade of a file, by default the shipped one. Raises UnreadableTrade."""
     path = file or SHIPPED
     try:
         record = json.loads(path.read_text("utf-8"))
-        rows = tuple(Row(*one) for one in record["rows"])
-        if not rows or not {"processor", "cores", "python", "packages"} <= set(record["machine"]):
-            raise ValueError("it has no rows or no machine")
-        [float(part or 0.0) for one in rows for part in one[2:10]]
-        return Trade(record["machine"], record["left_out"], record["scenes"], rows)
+        if record["columns"] != [*Row._fields]:
+            raise ValueError("other columns")
+        return Trade(record["machine"], record["left_out"], record["scenes"], tuple(starmap(Row, record["rows"])))
     except OSError as error:
         raise UnreadableTrade(f"{path} cannot be read: {error.strerror}") from None
-    except (ValueError, TypeError, KeyError, AttributeError) as error:
-        what = f"{error} is missing" if isinstance(error, KeyError) else str(error)
-        raise UnreadableTrade(f"{path.name} is no output of `{COMMAND}`: {what}") from None
+    except (ValueError, TypeError, LookupError) as error:
+        raise UnreadableTrade(f"{path.name} is no output of `{COMMAND}`: {error!r}") from None
 
 
 def machine() -> dict[str, Any]:

@@ -192,7 +192,7 @@ def test_a_shell_completes_commands_flags_and_scenes(monkeypatch):
 def test_a_stream_that_is_closed_or_full_is_no_traceback(ends):
     command = f"{sys.executable} -m numerics solve at-rest --arithmetic float64 {ends}"
     ended = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
-    progress = re.sub(r"numba compiles the solver, once for this version\n|computing \(\d+ s\)\n", "", ended.stderr)
+    progress = re.sub(r"numba compiles the solver, once for this version\n|\w+ \d+ s\n", "", ended.stderr)
     assert (ended.returncode, progress.count("\n")) == ((1, 1) if "full" in ends else (0, 0))
 
 
@@ -214,14 +214,6 @@ def test_a_terminal_sees_the_first_and_the_last_events_and_how_to_get_all(run, m
     assert shown == events[:20] + events[-20:]
     assert f"... {len(events) - 40} more events; --all prints them" in short.splitlines()
     assert "--all" not in whole
-
-
-def test_a_narrow_terminal_breaks_no_line_and_loses_no_digit(run, monkeypatch, scene_file):
-    how = ("solve", scene_file, "--arithmetic", "float64", "--all")
-    monkeypatch.setenv("COLUMNS", "80")
-    piped, narrow = run(*how)[1], on_a_terminal(run, monkeypatch, *how)
-    assert max(map(len, narrow.splitlines())) < 80 < max(map(len, piped.splitlines()))
-    assert narrow.split() == piped.split()
 
 
 REFUSED = """

@@ -44,7 +44,8 @@ def test_numbers_are_told_where_they_mean_something(output, record):
 @pytest.mark.parametrize("on_terminal", [True, False])
 def test_who_waits_sees_what_is_being_done(run, monkeypatch, on_terminal):
     monkeypatch.setattr(sys.stderr, "isatty", lambda: on_terminal)
-    monkeypatch.setattr("numerics.shown._EVERY", 1e-3)
+    for name in ("_COMMAND", "_AFTER"):
+        monkeypatch.setattr(f"numerics.meter.{name}", 1e-3)
     code, _, err = run("ring", "start-with-speed", "--radius", 1)
     assert (code, "following the motion to t = " in err, err[-4:] == "\r\033[K") == (0, True, on_terminal)
 

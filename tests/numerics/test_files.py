@@ -176,8 +176,6 @@ def test_ctrl_c_leaves_nothing(tmp_path, program, words, module, said):
 
 
 HALF_WRITTEN = {
-    "npz": "from numerics.files import whole_file\n"
-    "with whole_file(Path('result')) as file:\n    file.write(b'x' * 10**6); file.flush(); wait()",
     "renamed": "Path.replace = lambda *_: wait()\nfrom numerics.files import whole_file\n"
     "with whole_file(Path('result')) as file:\n    file.write(b'x' * 10**6)",
     "report": "Path.replace = lambda *_: wait()\nfrom paper_checks import atomic\n"

@@ -23,6 +23,7 @@ from numerics import (
     damping,
     load_scene,
     response,
+    scene_text,
     sensitivities,
     solve,
     solve_many,
@@ -178,9 +179,7 @@ def test_every_kind_of_number_is_read(half):
 
 
 def test_a_ratio_is_a_number_in_a_scene_file_and_in_a_batch():
-    scene = parse_scene(
-        '[pair]\nm1 = "1/3"\nm2 = 1\na2 = 200\nb = "1/2"\n[initial]\nv1 = "3/20"\n[run]\nuntil = "7/3"\n'
-    )
-    assert scene == Scene(Pair("1/3", 1, 200, "1/2"), State(v1="3/20"), "7/3")
+    scene = Scene(Pair("1/3", 1, 200, "1/2"), State(v1="3/20"), "7/3")
+    assert parse_scene(scene_text(scene)) == scene
     batch = solve_many("1/3", 1, 200, "1/2", v1=["3/20", " 0.1 ", Fraction(1, 7)], until="7/3", exact=True)
     assert batch.y[:, 0].tolist() == [*map(float, solve(scene).final_state)]

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from numerics.shown import shown_steps
+from numerics.meter import shown_steps
 from paper_checks.evidence.claim import Claim
 from paper_checks.report.formats.terminal import STYLES
 from paper_checks.running.rows import Progress
