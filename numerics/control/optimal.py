@@ -319,8 +319,8 @@ class LeastPeak(LeastEnergy):
     def least_at_end(self, beta: arb) -> arb:
         """Return the least max u/M that the end of a long time needs, |a| <= beta; no number if c^2 >= 4 k.
 
-        It is the bound above for w = v exp(c s), s the time since the brakes were off, v the velocity that comes to rest
-        under P, after a bump of w at s = 0 of the weight beta/k, which is as short as one likes: rho is 0 elsewhere.
+        It is the bound above for w = v exp(c s), s the time since the brakes were off, v the velocity that comes to
+        rest under P, after a bump of w at s = 0 of weight beta/k, as short as one likes: rho is 0 elsewhere.
         """
         angle = (self.c / (2 * self.k.sqrt())).asin()
         return self.k * self.far - beta * (-2 * angle * angle.tan()).exp()
