@@ -7,14 +7,13 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from flint import arb
 
-from numerics.arithmetic.protocol import Number
 from numerics.exits import tool
 from numerics.files import whole_file
 from numerics.scene.decimals import decimal_text, exact_decimal
@@ -28,9 +27,8 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
 END_NAMES = (*STATE, "energy", "energy_excess")
-Written = dict[str, str]
-Writer = Callable[[str, Number, int], Written]
-"""Takes a name, a number, and the index of its event, or -1 for the end."""
+AT_END = -1
+"""Stands for the end in the place of the index of an event."""
 
 
 def knows_its_digits(trajectory: Any) -> bool:
@@ -40,6 +38,20 @@ def knows_its_digits(trajectory: Any) -> bool:
     return trajectory.accuracy is not None and bool(trajectory.accuracy.bounded)
 
 
+def numbers_at(trajectory: Any, index: int) -> tuple[Any, ...]:
+    """Return time and state of an event, or of the end, with energy and excess; on a surface tuples by axes."""
+    if index == AT_END:
+        return trajectory.end_time, *trajectory.end_numbers()
+    event = trajectory.events[index]
+    return event.t, *event.y, *(getattr(event, name) for name in trajectory.EVENT_COLUMNS)
+
+
+def bounds_at(trajectory: Any, index: int) -> tuple[float, ...]:
+    """Return the error bounds of the same numbers of a run that has some."""
+    known = trajectory.accuracy
+    return trajectory.end_bounds() if index == AT_END else (known.t[index], *known.y[index])
+
+
 def as_record(trajectory: Any, truth: Any = None, events: Iterable[int] | None = None) -> dict[str, Any]:
     """Return a trajectory as the JSON object of the interface: decimal strings of right digits, radii beside balls.
 
@@ -47,19 +59,24 @@ def as_record(trajectory: Any, truth: Any = None, events: Iterable[int] | None =
     are the indices of those that are wanted, all by default. Raises SequenceDiffers if the two sequences of events
     differ, so that no wrong itinerary is ever printed; ValueError if a truth is needed and none is given.
     """
-    write = _writer(trajectory, truth)
-    with trajectory.context():
+    if truth is not None:
+        require_same_sequence(trajectory, truth)
+    elif not knows_its_digits(trajectory):
+        raise ValueError(
+            f"the number of right digits of this trajectory in {trajectory.arithmetic.name} is not known; "
+            "give `truth`, a solve of the same scene in balls"
+        )
+    with (truth or trajectory).context():
         wanted = range(len(trajectory.events)) if events is None else events
-        return {
-            "status": trajectory.status.name.lower().replace("_", "-"),
-            "message": trajectory.message,
-            "arithmetic": trajectory.arithmetic.name,
-            "digits": right_digits(trajectory),
-            "events": [_event(trajectory, write, index) for index in wanted],
-            "final": write("t", trajectory.end_time, -1)
-            | {"mode": word(trajectory.final_mode)}
-            | _numbers(write, zip(END_NAMES, trajectory.end_numbers(), strict=False), -1),
-        }
+        *rows, final = (_row(trajectory, truth, index) for index in (*wanted, AT_END))
+    return {
+        "status": trajectory.status.name.lower().replace("_", "-"),
+        "message": trajectory.message,
+        "arithmetic": trajectory.arithmetic.name,
+        "digits": right_digits(trajectory),
+        "events": rows,
+        "final": final,
+    }
 
 
 def right_digits(trajectory: Any) -> int:
@@ -74,57 +91,38 @@ def word(mode: Any) -> str:
     return str(getattr(mode, "value", mode))
 
 
-def _event(trajectory: Any, write: Writer, index: int) -> dict[str, Any]:
-    event = trajectory.events[index]
-    row = write("t", event.t, index) | {"from": word(event.before), "to": word(event.after)}
-    if trajectory.scene.is_forced:
-        row["cause"] = event.cause
-    more = ((name, getattr(event, name)) for name in trajectory.EVENT_COLUMNS)
-    return row | _numbers(write, (*zip(STATE, event.y, strict=True), *more), index)
-
-
-def _numbers(write: Writer, named: Iterable[tuple[str, Any]], index: int) -> dict[str, Any]:
-    """Return numbers as text; a tuple by axes as lists."""
-    found: dict[str, Any] = {}
-    for name, value in named:
-        if isinstance(value, tuple):
-            rows = [write(name, one, index) for one in value]
-            found |= {key: [row[key] for row in rows] for key in rows[0]}
-        else:
-            found |= write(name, value, index)
-    return found
-
-
-def _writer(trajectory: Any, truth: Any) -> Writer:
-    """Return a writer that cuts each number by its error bound, or where it parts from the true one."""
-    arithmetic, digits = trajectory.arithmetic, right_digits(trajectory)
-    if arithmetic.name == "ball":
-        return lambda name, value, _: with_radius(name, value, digits)
-    most, given = MOST_DIGITS if arithmetic.name == "float64" else arithmetic.digits, truth or trajectory
-    if truth is not None:
-        require_same_sequence(trajectory, truth)
-        with truth.context():
-            by_event, final = (truth.event_times, *truth.event_states), (truth.end_time, *truth.end_numbers())
-    elif not knows_its_digits(trajectory):
-        raise ValueError(
-            f"the number of right digits of this trajectory in {arithmetic.name} is not known; "
-            "give `truth`, a solve of the same scene in balls"
-        )
+def _row(trajectory: Any, truth: Any, index: int) -> dict[str, Any]:
+    """Return an event, or the end."""
+    if index == AT_END:
+        said = {"mode": word(trajectory.final_mode)}
     else:
-        by_event, final = (trajectory.accuracy.t, *trajectory.accuracy.y.T), trajectory.end_bounds()
+        event = trajectory.events[index]
+        said = {"from": word(event.before), "to": word(event.after)}
+        said |= {"cause": event.cause} if trajectory.scene.is_forced else {}
+    texts = _texts(trajectory, truth, index)
+    return {name: one for name, one in texts.items() if name in {"t", "t_radius"}} | said | texts
 
-    def write(name: str, value: Number, index: int) -> Written:
-        with given.context():
-            if isinstance(value, arb):
-                shown = float(value.mid())
-                error = distance(shown, value).upper()
+
+def _texts(trajectory: Any, truth: Any, index: int) -> dict[str, Any]:
+    """Return the numbers of an event, or of the end, by their names, as text; of balls with their radii."""
+    names = ("t", *END_NAMES) if index == AT_END else ("t", *STATE, *trajectory.EVENT_COLUMNS)
+    values, digits = numbers_at(trajectory, index), right_digits(trajectory)
+    found: dict[str, Any] = {}
+    if trajectory.arithmetic.name == "ball":
+        for name, value in zip(names, values, strict=False):
+            if isinstance(value, tuple):
+                rows = [with_radius(name, one, digits) for one in value]
+                found |= {key: [row[key] for row in rows] for key in rows[0]}
             else:
-                shown, place = value, ("t", *END_NAMES).index(name)
-                known = final[place] if index < 0 else by_event[place][index]
-                error = arb(float(known)) if truth is None else distance(value, known)
-            return {name: right_digits_text(as_fraction(shown), error, most)}
-
-    return write
+                found |= with_radius(name, value, digits)
+        return found
+    most = MOST_DIGITS if trajectory.bounded else trajectory.arithmetic.digits
+    if truth is None:
+        errors = map(arb, map(float, bounds_at(trajectory, index)))
+    else:
+        errors = map(distance, values, numbers_at(truth, index))
+    texts = (right_digits_text(as_fraction(one), error, most) for one, error in zip(values, errors, strict=False))
+    return dict(zip(names, texts, strict=False))
 
 
 def as_csv(record: dict[str, Any]) -> str:

@@ -18,9 +18,10 @@ from numerics.meter import meter
 from numerics.scene.model import Law
 from numerics.trajectory.checked import Check
 from numerics.trajectory.columns import Array
-from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
+from numerics.trajectory.digits import FEW_DIGITS, JUDGED, ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
 from numerics.trajectory.in_units import Reduced
+from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.rows import Rows
 from numerics.trajectory.saved import plain
 from numerics.trajectory.status import Status
@@ -120,7 +121,7 @@ class Trajectory(Rows):
                 return super().message.replace("shorten until", "use `inertial-pair energy` for a late time")
         said = super().message.replace("a quantity", " and ".join(self.without_digits))
         if 0 < self.right_digits <= FEW_DIGITS and any(float(one) for one in self.y[1::2].ravel()):
-            least = " and ".join(self._judged.least)
+            least = " and ".join(self._with_digits(self.right_digits))
             said += f"; right digits of the {least}: only {self.right_digits}; request digits"
         if not self.phase_lost:
             return said
@@ -152,12 +153,16 @@ class Trajectory(Rows):
     @property
     def right_digits(self) -> int:
         """Return how many digits its error bounds or balls leave right (digits.py); 0 without either."""
-        return self._judged.digits
+        most = MOST_DIGITS if self.bounded else self.arithmetic.digits
+        return min(most, *self._judged.right) if self.certain and self._judged.right else 0
 
     @property
     def without_digits(self) -> tuple[str, ...]:
         """Return the quantities of which no digit is right: an error bound, or a radius, is as large as they are."""
-        return () if self._judged.digits else self._judged.least
+        return self._with_digits(0)
+
+    def _with_digits(self, most: int) -> tuple[str, ...]:
+        return tuple(name for name, right in zip(JUDGED, self._judged.right, strict=False) if right <= most)
 
     # ------------------------------------------------------------------ events and segments
     @cached_property
