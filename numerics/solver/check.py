@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 from typing import Any
 
 from flint import arb
@@ -49,10 +50,12 @@ def check(run: Trajectory) -> Check:
 def _numbers(run: Trajectory, truth: Trajectory, index: int) -> Iterator[tuple[str, Any, Any, arb]]:
     """Yield name, number, bound if it has one, and true number, of an event or of the end."""
     values, true = (numbers_at(one, index) for one in (run, truth))
-    bounds = bounds_at(run, index) if run.bounded and run.certain else [None] * len(values)
-    yield from zip(("t", *END_NAMES)[index == AT_END :], *(one[index == AT_END :] for one in (values, bounds, true)))
+    known: Any = run.accuracy if run.bounded and run.certain else None
+    bounds = [None] * len(values) if known is None else bounds_at(run, index)
+    found = zip(("t", *END_NAMES), values, bounds, true, strict=False)
+    yield from found if index != AT_END else islice(found, 1, None)  # the end is at a given time
     if index == AT_END:
-        yield "dissipated", run.dissipated, run.accuracy.dissipated if bounds[0] is not None else None, truth.dissipated
+        yield "dissipated", run.dissipated, None if known is None else known.dissipated, truth.dissipated
         for name in ("friction", "viscous", "work", "residual"):
             yield name, getattr(run.ledger, name), None, getattr(truth.ledger, name)
 

@@ -24,14 +24,13 @@ from flint import arb
 
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.arithmetic.compiled import compiled, compiles_now
-from numerics.linear.errors_of import JUDGED, errors_of
+from numerics.linear.errors_of import errors_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
 from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.events import energy_of
-from numerics.trajectory.rendering import MOST_DIGITS
 
 FEW_DIGITS = 3
 """So few right digits are said in the message of a run."""
@@ -66,9 +65,8 @@ def _digits_of_balls(trajectory: Any, *, relative_to_all: bool) -> tuple[int, ..
         for some, both in zip(numbers, scales, strict=True):
             digits = [digits_within(one.rad(), one, both[0] if both else one) for one in some]
             if both and relative_to_all:
-                digits = [
-                    max(n, digits_within(one.rad(), both[1], both[1])) for n, one in zip(digits, some, strict=True)
-                ]
+                of_all = (digits_within(one.rad(), both[1], both[1]) for one in some)
+                digits = [*map(max, digits, of_all)]
             found.append(min(digits, default=EXACT))
     return tuple(found)
 
@@ -140,11 +138,8 @@ def judged(trajectory: Any) -> Judged:
     """Return what the bounds of a run in floats leave, or the balls of another one; mpmath knows nothing."""
     if trajectory.bounded:
         return _judged_floats(trajectory)
-    return (
-        Judged(right=_digits_of_balls(trajectory, relative_to_all=True))
-        if trajectory.arithmetic.name == "ball"
-        else Judged()
-    )
+    is_known = trajectory.arithmetic.name == "ball"
+    return Judged(right=_digits_of_balls(trajectory, relative_to_all=True)) if is_known else Judged()
 
 
 def _judged_floats(trajectory: Any) -> Judged:
@@ -168,27 +163,19 @@ def _right(error: float) -> int:
 
 
 def accuracy_of(trajectory: Any, found: Judged) -> Accuracy:
-    """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
-    if not trajectory.bounded:
-        return _radii(trajectory)
-    record, (energy, excess, _) = trajectory.record, found
-    late = record.rows[trajectory.event_rows, AT["late"]] + 4 * ROUNDING * trajectory.event_times
-    errors, end = record.rows[trajectory.event_rows, _STATE_ERRORS], record.end[_STATE_ERRORS]
-    of_ledger, right = partial(_off_in_ledger, trajectory), trajectory.right_digits
-    return Accuracy(late, errors, end, energy, excess, trajectory.certain, right, of_ledger)
-
-
-def _radii(trajectory: Any) -> Accuracy:
-    """Return the radii of balls, rounded upwards."""
-    with trajectory.context():
-        *final, energy = trajectory.end_numbers()[:5]
-        excess = trajectory.end_numbers()[5:] or (arb("nan"),)
-        some = trajectory.event_times, trajectory.event_states.T, final, [energy, excess[0]]
-        t, y, ends, others = (_radii_of(one) for one in some)
-    off_energy, off_excess = others.tolist()
-    return Accuracy(
-        t, y, ends, off_energy, off_excess, True, trajectory.right_digits, partial(_off_in_ledger, trajectory)
-    )
+    """Return the bounds of a trajectory in SI units, or the radii of its balls, rounded upwards; in binary64."""
+    energy, excess, _ = found
+    if trajectory.bounded:
+        rows, at = trajectory.record.rows, trajectory.event_rows
+        t, y = rows[at, AT["late"]] + 4 * ROUNDING * trajectory.event_times, rows[at, _STATE_ERRORS]
+        end = trajectory.record.end[_STATE_ERRORS]
+    else:
+        with trajectory.context():
+            t, y = _radii_of(trajectory.event_times), _radii_of(trajectory.event_states.T)
+            *final, energy, excess = _radii_of([*trajectory.end_numbers(), arb("nan")])[:6]
+        end = np.array(final)
+    of_ledger = partial(_off_in_ledger, trajectory)
+    return Accuracy(t, y, end, energy, excess, trajectory.certain, trajectory.right_digits, of_ledger)
 
 
 def _off_in_ledger(trajectory: Any) -> float:

@@ -12,13 +12,14 @@ from flint import arb
 from numerics.arithmetic.by_name import arithmetic_named
 from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Number
+from numerics.linear.errors_of import JUDGED
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
 from numerics.meter import meter
 from numerics.scene.model import Law
 from numerics.trajectory.checked import Check
 from numerics.trajectory.columns import Array
-from numerics.trajectory.digits import FEW_DIGITS, JUDGED, ROUNDING, Accuracy, Judged, accuracy_of, judged
+from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
 from numerics.trajectory.in_units import Reduced
 from numerics.trajectory.rendering import MOST_DIGITS
