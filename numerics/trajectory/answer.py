@@ -38,8 +38,6 @@ class Answer(Helpful):
 
     FORMAT: ClassVar[str]
     """How the header of a file begins."""
-    ARITHMETICS: ClassVar[tuple[str, ...]]
-    """Those that solve such a scene."""
     COLUMNS: ClassVar[tuple[str, ...]]
     """What an archive of plain arrays has of numbers at `t`."""
     EVENT_COLUMNS: ClassVar[tuple[str, ...]] = ()

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from numerics.errors import MissingTool
 from numerics.exits import tool
 from numerics.files import path_of, whole_file
 from numerics.linear.modes import EventKind, Mode
@@ -37,11 +36,6 @@ FORCED = ("force", "load", "velocities", "positions", "phase", "energy")
 _CRITICAL = {"color": "black", "lw": 0.8, "ls": ":", "label": "$E = E_{cr}$"}
 _ENOUGH = {"color": GREEN, "alpha": 0.2, "lw": 0, "label": "friction is enough ($S_0$)"}
 _NEEDED = {"color": GREEN, "lw": 1.2, "label": "sticking needs this friction"}
-COMMON = (
-    *("body 1", "body 2", "entry", "exit", "crossing", "stick", "start", "end"),
-    *(_ENOUGH["label"], _NEEDED["label"], _CRITICAL["label"]),
-)
-"""What means the same in every picture, and is explained once, below all of them."""
 _MOST_FRAMES = 10_000
 Drawn = tuple[Any, Callable[[int], None]]
 """A figure, and what moves its artists to the frame of a number."""
@@ -72,11 +66,7 @@ def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None)
     for line in ax.lines:
         if len(line.get_xdata()) > _MOST_POINTS:  # dashes of so long a line take minutes to draw
             line.set_linestyle("-")
-    if marks_of(ax):
-        ax.legend(fontsize="small", framealpha=0.9)
-    if is_new:
-        explain_below(ax.figure)
-    return ax
+    return explained(ax, is_new=is_new)
 
 
 def axes_for(kind: Any, kinds: Collection[str], ax: Any, name: str = "kind") -> Any:
@@ -256,7 +246,7 @@ def course(trajectory: Any) -> str:
 
 
 def together(drawings: Sequence[Callable[..., Any]], size: tuple[float, float], title: str) -> Any:
-    """Return a figure (inches) of what is drawn into axes, two in a row; common marks are explained once, below all."""
+    """Return a figure (inches) of what is drawn into axes, two in a row; marks are explained once, below all."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, layout="constrained")
@@ -272,20 +262,24 @@ def marks_of(ax: Any) -> dict[str, Any]:
     return {name: handle for handle, name in zip(*ax.get_legend_handles_labels(), strict=True)}
 
 
+def explained(ax: Any, *, is_new: bool) -> Any:
+    """Return axes with a legend: within them, or below new ones, where it hides nothing."""
+    if is_new:
+        explain_below(ax.figure)
+    elif marks := marks_of(ax):
+        ax.legend(marks.values(), marks, fontsize="small", framealpha=0.9)
+    return ax
+
+
 def explain_below(figure: Any) -> None:
-    """Move the common marks out of the legends of all axes, to one below them."""
+    """Move the legends of all axes to one below them, in which each mark is once."""
     common: dict[str, Any] = {}
     for ax in figure.axes:
-        common |= (marks := marks_of(ax))
-        own = [name for name in marks if name not in COMMON]
+        common |= marks_of(ax)
         if ax.get_legend():
             ax.get_legend().remove()
-        if own:
-            ax.legend([marks[name] for name in own], own, fontsize="small", framealpha=0.9)
-    shown = [name for name in COMMON if name in common]
-    handles, across = [common[name] for name in shown], min(len(shown), 5)
-    if shown:
-        figure.legend(handles, shown, loc="outside lower center", ncols=across, fontsize="small")
+    across = int(figure.get_figwidth() // 2)  # of about two inches each
+    figure.legend(common.values(), common, loc="outside lower center", ncols=across, fontsize="small")
 
 
 def animate(trajectory: Any, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
@@ -335,11 +329,7 @@ def film(
     path = None if file is None else path_of(file)
     if path and path.suffix not in {".gif", ".mp4"}:
         raise ValueError(f"file = {path.name!r} must end in .gif or .mp4")
-    if path and not path.parent.is_dir():
-        raise FileNotFoundError(2, "No such folder; create it, or write elsewhere", str(path.parent))
     plt, animation = (tool(f"matplotlib.{name}") for name in ("pyplot", "animation"))
-    if path and path.suffix == ".mp4" and not animation.writers.is_available("ffmpeg"):
-        raise MissingTool("an .mp4 file needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
     with meter("drawing") as line:
         times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
         figure, show = drawn(times, trajectory.floats(trajectory.sol(times)))
