@@ -29,7 +29,7 @@ _MOST_MARKED = 200
 _MOST_POINTS = 8_000
 """Curves of more points are pixels in a vector graphic too, which would take megabytes."""
 _MOST_SHADED = 1000
-"""Stick phases beyond this number are narrower than a pixel: then none is shaded, and time is drawn logarithmically."""
+"""Stick phases beyond this number are narrower than a pixel: then none is shaded."""
 
 FREE = ("velocities", "positions", "load", "phase", "excess", "energy")
 FORCED = ("force", "load", "velocities", "positions", "phase", "energy")
@@ -39,8 +39,6 @@ _NEEDED = {"color": GREEN, "lw": 1.2, "label": "sticking needs this friction"}
 _MOST_FRAMES = 10_000
 Drawn = tuple[Any, Callable[[int], None]]
 """A figure, and what moves its artists to the frame of a number."""
-_TURNS = 9
-"""Turns of the spring that is drawn."""
 
 
 def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
@@ -58,7 +56,7 @@ def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None)
     ax.set_title(title, fontsize="medium")
     ax.set_ylabel(label)
     drawn(trajectory, curve, ax)
-    if kind not in {"phase", "friction", "relative"}:
+    if not ax.get_xlabel():
         _against_time(trajectory, curve, ax)
     if len(curve.t) > _MOST_POINTS:
         for one in (*ax.lines, *ax.collections):
@@ -79,16 +77,10 @@ def axes_for(kind: Any, kinds: Collection[str], ax: Any, name: str = "kind") -> 
 
 
 def _against_time(trajectory: Any, curve: Curve, ax: Any) -> None:
-    """Label the time axis, and shade the times at which the bodies stick over the whole height of the axes.
-
-    Of thousands of phases the first ones would be too narrow to see on a linear axis.
-    """
+    """Label the time axis, and shade the times at which the bodies stick over the whole height of the axes."""
     ax.set_xlabel("t (s)")
     ax.set_xlim(curve.t[0], curve.t[-1])
-    if trajectory.modes.count(Mode.STICK) > _MOST_SHADED:
-        ax.set_xscale("log")
-        ax.set_xlim(curve.t[curve.segment == 1][0] / 2, curve.t[-1])
-    elif curve.stick.any():
+    if 0 < trajectory.modes.count(Mode.STICK) <= _MOST_SHADED:
         across = ax.get_xaxis_transform()
         ax.fill_between(curve.t, 0, 1, where=curve.stick, transform=across, color=GRAY, alpha=0.25, lw=0, label="stick")
 
@@ -103,15 +95,12 @@ def _mark_events(trajectory: Any, ax: Any, across: int, up: int) -> None:
             ax.plot(rows[across], rows[up], marker, color="black", ms=4, mfc="none", label=label, ls="none")
 
 
-def _velocities(trajectory: Any, curve: Curve, ax: Any) -> None:
-    ax.plot(curve.t, curve.y[1], **FIRST)
-    ax.plot(curve.t, curve.y[3], **SECOND)
-    _mark_events(trajectory, ax, 0, 2)
-
-
-def _positions(_: Any, curve: Curve, ax: Any) -> None:
-    ax.plot(curve.t, curve.y[0], **FIRST)
-    ax.plot(curve.t, curve.y[2], **SECOND)
+def _bodies(row: int, trajectory: Any, curve: Curve, ax: Any) -> None:
+    """Draw positions (row 0) or velocities (row 1) of both."""
+    ax.plot(curve.t, curve.y[row], **FIRST)
+    ax.plot(curve.t, curve.y[row + 2], **SECOND)
+    if row:
+        _mark_events(trajectory, ax, 0, 2)
 
 
 def _load(_: Any, curve: Curve, ax: Any) -> None:
@@ -175,42 +164,32 @@ def _sliding_region(pair: Any, ax: Any) -> None:
 
 
 def _excess(trajectory: Any, curve: Curve, ax: Any) -> None:
-    """Draw what the energy has above E_cr, or lacks below it, on whole decades. Raises InvalidScene without E_cr."""
+    """Draw what the energy has above E_cr, or lacks below it. Raises InvalidScene without E_cr."""
     _ = trajectory.scene.pair.half_width, trajectory.scene.pair.critical_energy
-    sizes = np.abs(curve.w[np.isfinite(curve.w) & (curve.w != 0)])
-    if not len(sizes):
-        ax.text(0.5, 0.5, "$E = E_{cr}$ exactly", transform=ax.transAxes, ha="center", va="center")
-        ax.set_yticks([])
-        return
     for part, label, dashes in ((curve.w, r"$E/E_{cr} - 1$", "-"), (-curve.w, r"$1 - E/E_{cr}$", "--")):
         if (part > 0).any():
-            ax.plot(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, color="black", ls=dashes)
-    ax.set_yscale("log")
-    ax.yaxis.set_minor_formatter("")
-    ax.set_ylim(10 ** np.floor(np.log10(sizes.min()) - 0.05), 10 ** np.ceil(np.log10(sizes.max()) + 0.05))
+            ax.semilogy(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, color="black", ls=dashes)
 
 
 def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what acts has put in, what is left of it, and what friction and viscosity took."""
     scene, (friction, viscous) = trajectory.scene, curve.lost
     work = curve.energy - curve.energy[0] + friction + viscous
-    pushing = " ".join(name for name, pieces in scene.pieces.items() if pieces and name != "friction")
     if not scene.is_forced:
         ax.axhline(float(scene.pair.critical_energy), **_CRITICAL)
-    for acts, label, part, color, dashes in (
-        (pushing, f"work of {_ACTING.get(pushing, 'what acts')}", work, PURPLE, "-"),
+    for is_there, label, part, color, dashes in (
+        (scene.is_forced, "work of what acts", work, PURPLE, "-"),
         (True, "energy of the pair", curve.energy, "black", "-"),
         (True, "lost to friction", friction, GREEN, "--"),
         (scene.pair.a1 > 0, "lost to viscosity", viscous, "black", ":"),
     ):
-        if acts:
+        if is_there:
             ax.plot(curve.t, part, color=color, lw=1.2, ls=dashes, label=label)
 
 
-_ACTING = {"force": "the force", "force_2": "the force on body 2", "belt": "the belt", "wall": "the wall"}
 _KINDS = {
-    "velocities": ("Velocities of both bodies", "$v_1$, $v_2$ (m/s)", _velocities),
-    "positions": ("Positions of both bodies", "$x_1$, $x_2$ (m)", _positions),
+    "velocities": ("Velocities of both bodies", "$v_1$, $v_2$ (m/s)", partial(_bodies, 1)),
+    "positions": ("Positions of both bodies", "$x_1$, $x_2$ (m)", partial(_bodies, 0)),
     "load": ("The friction that sticking needs, and can get", "force on body 2 (N)", _load),
     "force": ("Force on body 1", "u (N)", _force),
     "phase": ("Phase portrait of body 1", "$v_1$ (m/s)", _phase),
@@ -286,7 +265,7 @@ def animate(trajectory: Any, file: str | Path | None, duration: float, frames_pe
     """Return a matplotlib animation of a trajectory; see Trajectory.animate."""
 
     def drawn(times: Any, y: Any) -> Drawn:
-        """Draw body 2 on body 1 on its spring, to the scale of the motion, above the velocities."""
+        """Draw body 2 on body 1, to the scale of the motion, above the velocities."""
         from matplotlib import pyplot as plt
 
         figure, (ax, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
@@ -294,17 +273,16 @@ def animate(trajectory: Any, file: str | Path | None, duration: float, frames_pe
         below.set_title("")
         explain_below(figure)
         moment, size = below.axvline(0.0, color="black", lw=1), max(float(np.abs(y[[0, 2]]).max()), 1e-300)
-        wall, half = -7 * size, np.array([3.0, 1.2]) * size
-        ax.set(xlim=(wall, y[[0, 2]].max() + 4 * size), ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)")
+        half = np.array([3.0, 1.2]) * size
+        ax.set(
+            xlim=(y[[0, 2]].min() - 4 * size, y[[0, 2]].max() + 4 * size), ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)"
+        )
         bodies = ax.bar((0, 0), (1.0, 0.9), 2 * half, (0.05, 1.15), color=(BLUE, ORANGE), alpha=0.6)
-        (spring,) = ax.plot([], [], color="black", lw=1)
 
         def show(k: int) -> None:
             moment.set_xdata([times[k]] * 2)
-            left = y[[0, 2], k] - half
-            for body, place in zip(bodies, left, strict=True):
+            for body, place in zip(bodies, y[[0, 2], k] - half, strict=True):
                 body.set_x(place)
-            spring.set_data(np.linspace(wall, left[0], 2 * _TURNS), [0.4, 0.7] * _TURNS)
 
         return figure, show
 
