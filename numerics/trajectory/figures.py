@@ -187,7 +187,7 @@ def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
             ax.plot(curve.t, part, color=color, lw=1.2, ls=dashes, label=label)
 
 
-_KINDS = {
+_KINDS: dict[str, tuple[str, str, Callable[..., None]]] = {
     "velocities": ("Velocities of both bodies", "$v_1$, $v_2$ (m/s)", partial(_bodies, 1)),
     "positions": ("Positions of both bodies", "$x_1$, $x_2$ (m)", partial(_bodies, 0)),
     "load": ("The friction that sticking needs, and can get", "force on body 2 (N)", _load),
