@@ -1,6 +1,7 @@
 """`run.check()`: a true run passes; a number, an event or a mode that is falsified is found and named."""
 
 import json
+
 import pytest
 
 from numerics import Pair, Scene, Signal, State, Trajectory, load_scene, solve
