@@ -52,20 +52,26 @@ def bounds_at(trajectory: Any, index: int) -> tuple[float, ...]:
     return trajectory.end_bounds() if index == AT_END else (known.t[index], *known.y[index])
 
 
-def as_record(trajectory: Any, truth: Any = None, events: Iterable[int] | None = None) -> dict[str, Any]:
+def in_balls(trajectory: Any, digits: int) -> Any:
+    """Return the scene of a trajectory solved again, in balls of so many right digits, as far as it goes."""
+    import numerics
+
+    # one event more than were found shows a lost one; a run that was cut off is cut off at the same event
+    limit = max(1, trajectory.record.events + trajectory.reached)
+    return numerics.solve(trajectory.scene, digits=digits, arithmetic="ball", max_events=limit)
+
+
+def as_record(trajectory: Any, events: Iterable[int] | None = None) -> dict[str, Any]:
     """Return a trajectory as the JSON object of the interface: decimal strings of right digits, radii beside balls.
 
-    `truth`, a solve of the same scene in balls, says which digits are right where no radius and no bound does. `events`
-    are the indices of those that are wanted, all by default. Raises SequenceDiffers if the two sequences of events
-    differ, so that no wrong itinerary is ever printed; ValueError if a truth is needed and none is given.
+    What neither radii nor bounds say of the digits is said by the same scene in balls. `events` are the indices of
+    those that are wanted, all by default. Raises SequenceDiffers if its sequence of events is not the true one, so that
+    no wrong itinerary is ever printed; EventUndecided.
     """
-    if truth is not None:
+    truth = None
+    if not knows_its_digits(trajectory):
+        truth = in_balls(trajectory, 3 + (MOST_DIGITS if trajectory.bounded else trajectory.arithmetic.digits))
         require_same_sequence(trajectory, truth)
-    elif not knows_its_digits(trajectory):
-        raise ValueError(
-            f"the number of right digits of this trajectory in {trajectory.arithmetic.name} is not known; "
-            "give `truth`, a solve of the same scene in balls"
-        )
     with (truth or trajectory).context():
         wanted = range(len(trajectory.events)) if events is None else events
         *rows, final = (_row(trajectory, truth, index) for index in (*wanted, AT_END))
