@@ -36,7 +36,7 @@ def _names(text: str) -> set[str]:
 
 
 NO_NUMBERS = _names(
-    """FORMAT COLUMNS EVENT_COLUMNS accuracy animate arithmetic bounded but certain check context digits
+    """FORMAT ENERGIES EVENT_COLUMNS accuracy animate arithmetic bounded but certain check context digits
     end_bounds event_kinds event_rows final_mode floats frame has_critical_energy has_frame kept load look_up_times
     message mode_at modes pieces plot reached record restored right_digits save scene signs status success
     t_eval to_csv to_dataframe tried without_digits"""

@@ -70,7 +70,7 @@ class PlaneTrajectory(Answer):
 
     scene: PlaneScene
     FORMAT = "inertial-pair surface trajectory 5"
-    COLUMNS = ("t", "y", "energy")
+    ENERGIES = ("energy",)
     EVENT_COLUMNS = ("direction", "load")
 
     def __init__(

@@ -38,8 +38,8 @@ class Answer(Helpful):
 
     FORMAT: ClassVar[str]
     """How the header of a file begins."""
-    COLUMNS: ClassVar[tuple[str, ...]]
-    """What an archive of plain arrays has of numbers at `t`."""
+    ENERGIES: ClassVar[tuple[str, ...]]
+    """Those that a table has."""
     EVENT_COLUMNS: ClassVar[tuple[str, ...]] = ()
     """What an event has besides its time, its modes and its state."""
     scene: Scene | PlaneScene

@@ -158,31 +158,29 @@ def _by_axes(row: dict[str, Any]) -> dict[str, str]:
     return found
 
 
+def _columns(trajectory: Any) -> dict[str, Any]:
+    """Return time, mode, state (on a surface a column for each axis) and energies at `t`; the mode after an event."""
+    asked, axes = trajectory.t_eval, AXES[: len(trajectory.y) // len(STATE)]
+    modes = (*trajectory.modes, trajectory.final_mode) if asked is None else trajectory.mode_at(asked)
+    names = [f"{name}_{axis}" for name in STATE for axis in axes] if len(axes) > 1 else STATE
+    found = {"t": trajectory.t, "mode": [*map(word, modes)]} | dict(zip(names, trajectory.y, strict=True))
+    return found | {name: getattr(trajectory, name) for name in trajectory.ENERGIES}
+
+
 def at_times(trajectory: Any) -> list[dict[str, str]]:
     """Return time, mode, state and energy of a run in balls at the times t_eval, as decimal texts of right digits."""
-    names, digits, times = [*_state_names(len(trajectory.y)), "energy"], right_digits(trajectory), trajectory.t_eval
-    rows = []
+    digits, columns = right_digits(trajectory), _columns(trajectory)
+    columns["t"] = [decimal_text(exact_decimal(t, "t")) for t in trajectory.t_eval]
+    columns.pop("energy_excess", None)
     with trajectory.context():
-        for t, mode, *numbers in zip(times, trajectory.mode_at(times), *trajectory.y, trajectory.energy, strict=True):
-            row = {"t": decimal_text(exact_decimal(t, "t")), "mode": word(mode)}
-            row |= {name: with_radius(name, x, digits)[name] for name, x in zip(names, numbers, strict=True)}
-            rows.append(row)
-    return rows
-
-
-def _state_names(rows: int) -> list[str]:
-    """Return the names of the rows of y: on a surface one for each axis."""
-    axes = AXES[: rows // len(STATE)]
-    return [f"{name}_{axis}" for name in STATE for axis in axes] if len(axes) > 1 else [*STATE]
+        for name, numbers in columns.items():
+            columns[name] = [one if isinstance(one, str) else with_radius(name, one, digits)[name] for one in numbers]
+    return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 
 def arrays(trajectory: Any) -> dict[str, Array]:
-    """Return t (m,), y (4, m), on a surface (4 n, m), energy (m,), modes and event_kinds; numbers in binary64.
-
-    On a line energy_excess (m,), on a surface bounds t_error and y_error.
-    """
-    with trajectory.context():
-        found = {name: trajectory.floats(getattr(trajectory, name)) for name in trajectory.COLUMNS}
+    """Return t (m,), y (4, m), on a surface (4 n, m), energies (m,), modes and event_kinds; numbers in binary64."""
+    found = {name: trajectory.floats(getattr(trajectory, name)) for name in ("t", "y", *trajectory.ENERGIES)}
     kinds = [kind.value for kind in trajectory.event_kinds]
     return found | {"modes": np.array([*map(word, trajectory.modes)]), "event_kinds": np.array(kinds, dtype=str)}
 
@@ -194,16 +192,9 @@ def write_npz(trajectory: Any, path: Path, extra: dict[str, Array] | None = None
 
 
 def dataframe(trajectory: Any) -> DataFrame:
-    """Return t, mode, the state (a column for each axis) and energies at `t` as a pandas DataFrame, in binary64.
-
-    The mode at an event is the one after it. `.attrs["units"]` has the units. Raises MissingTool.
-    """
-    asked, found = trajectory.t_eval, arrays(trajectory)
-    modes = [*trajectory.modes, trajectory.final_mode] if asked is None else trajectory.mode_at(asked)
-    state = zip(_state_names(len(found["y"])), found["y"], strict=True)
-    columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(state)}
-    frame: DataFrame = tool("pandas").DataFrame(
-        columns | {name: found[name] for name in ("energy", "energy_excess") if name in found}
-    )
+    """Return what `_columns` has as a pandas DataFrame, in binary64; `.attrs["units"]`. Raises MissingTool."""
+    columns = _columns(trajectory)
+    floats = {name: one if name == "mode" else trajectory.floats(one) for name, one in columns.items()}
+    frame: DataFrame = tool("pandas").DataFrame(floats)
     frame.attrs["units"] = {name: unit(name) for name in frame}
     return frame

@@ -88,7 +88,7 @@ class Trajectory(Rows):
     """
 
     FORMAT = "inertial-pair trajectory 5"
-    COLUMNS = ("t", "y", "energy", "energy_excess")
+    ENERGIES = ("energy", "energy_excess")
 
     # ------------------------------------------------------------------ how it ended
     def look_up_times(self) -> None:
