@@ -19,8 +19,8 @@ from numerics.files import whole_file
 from numerics.scene.decimals import decimal_text, exact_decimal
 from numerics.scene.plane import AXES
 from numerics.trajectory.columns import STATE, Array
-from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
-from numerics.trajectory.rendering import MOST_DIGITS, right_digits_text, with_radius
+from numerics.trajectory.comparison import as_ball, distance, require_same_sequence
+from numerics.trajectory.rendering import MOST_DIGITS, with_radius
 from numerics.trajectory.units import unit
 
 if TYPE_CHECKING:
@@ -112,23 +112,19 @@ def _row(trajectory: Any, truth: Any, index: int) -> dict[str, Any]:
 def _texts(trajectory: Any, truth: Any, index: int) -> dict[str, Any]:
     """Return the numbers of an event, or of the end, by their names, as text; of balls with their radii."""
     names = ("t", *END_NAMES) if index == AT_END else ("t", *STATE, *trajectory.EVENT_COLUMNS)
-    values, digits = numbers_at(trajectory, index), right_digits(trajectory)
-    found: dict[str, Any] = {}
-    if trajectory.arithmetic.name == "ball":
-        for name, value in zip(names, values, strict=False):
-            if isinstance(value, tuple):
-                rows = [with_radius(name, one, digits) for one in value]
-                found |= {key: [row[key] for row in rows] for key in rows[0]}
-            else:
-                found |= with_radius(name, value, digits)
-        return found
-    most = MOST_DIGITS if trajectory.bounded else trajectory.arithmetic.digits
-    if truth is None:
-        errors = map(arb, map(float, bounds_at(trajectory, index)))
-    else:
-        errors = map(distance, values, numbers_at(truth, index))
-    texts = (right_digits_text(as_fraction(one), error, most) for one, error in zip(values, errors, strict=False))
-    return dict(zip(names, texts, strict=False))
+    values, most = numbers_at(trajectory, index), MOST_DIGITS if trajectory.bounded else trajectory.arithmetic.digits
+    if trajectory.arithmetic.name != "ball":
+        errors = map(distance, values, numbers_at(truth, index)) if truth else bounds_at(trajectory, index)
+        points = (arb(as_ball(one).mid(), error) for one, error in zip(values, errors, strict=False))
+        return {name: point.str(most, radius=False) for name, point in zip(names, points, strict=False)}
+    found, digits = dict[str, Any](), right_digits(trajectory)
+    for name, value in zip(names, values, strict=False):
+        if isinstance(value, tuple):
+            parts = [with_radius(name, one, digits) for one in value]
+            found |= {key: [part[key] for part in parts] for key in parts[0]}
+        else:
+            found |= with_radius(name, value, digits)
+    return found
 
 
 def as_csv(record: dict[str, Any]) -> str:

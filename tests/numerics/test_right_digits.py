@@ -1,20 +1,16 @@
 """How many digits are right: one rule for bounds and radii, and the arithmetic that has as many as were asked for."""
 
-from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
 import pytest
 from flint import arb
-from hypothesis import given
-from strategies import decimals, signed
 from three_scenes import DAMPED, PAPER
 
 from numerics import Force, Pair, Piece, Scene, State, load_scene, solve, solve_scenes
-from numerics.arithmetic.ball import Ball, widened
+from numerics.arithmetic.ball import widened
 from numerics.linear.record import AT
 from numerics.trajectory.digits import proved_digits
-from numerics.trajectory.rendering import right_digits_text
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
@@ -118,12 +114,6 @@ def test_a_sequence_in_doubt_is_settled_by_the_next_arithmetic_and_nothing_is_ca
         assert solve(run.scene, digits=8).arithmetic.name == run.arithmetic.name
     assert solve(scene).arithmetic.name == "float64"
     assert solve(scene).tried == ""
-
-
-@given(signed(decimals(-9, 9, 18)), decimals(-30, 5))
-def test_the_true_value_is_within_a_unit_of_the_last_place_of_a_text(value, error):
-    text = Decimal(right_digits_text(value, Ball.number(error), 17))
-    assert abs(Fraction(text) - value) + error <= Fraction(10) ** text.as_tuple().exponent
 
 
 # quantities of which no digit is right
