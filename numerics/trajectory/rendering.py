@@ -8,7 +8,7 @@ value lies within one unit of the last place.
 from __future__ import annotations
 
 import math
-from decimal import ROUND_CEILING, Context, Decimal
+from decimal import Decimal
 
 from flint import arb
 
@@ -32,18 +32,10 @@ def with_radius(name: str, x: arb, digits: int, spare: int = _SPARE_DIGITS) -> d
     return {name: text, f"{name}_radius": _upwards(abs(x - arb(text)).upper())}
 
 
-def _wide(digits: int, rounding: str) -> Context:
-    """Return a decimal context whose exponents cannot overflow here."""
-    return Context(prec=digits, rounding=rounding, Emax=10**15, Emin=-(10**15))
-
-
 def _upwards(bound: arb) -> str:
-    """Return an exact ball >= 0 as decimal text of 3 digits that is not smaller."""
+    """Return an exact ball >= 0 as decimal text of 3 digits, or 4, that is not smaller."""
     if bound.is_zero():
         return "0"
-    mantissa, exponent = (int(part) for part in bound.man_exp())
-    context = _wide(40, ROUND_CEILING)
-    exact = context.multiply(Decimal(mantissa), context.power(Decimal(2), Decimal(exponent)))
-    # the margin covers the rounding of the power, which decimal does not direct
-    safe = context.multiply(exact, Decimal("1." + 29 * "0" + "1"))
-    return str(_wide(3, ROUND_CEILING).create_decimal(safe))
+    place = math.floor(float((bound.log() / arb(10).log()).mid())) - 2
+    digits = (bound / arb(10) ** place).upper().ceil().unique_fmpz()
+    return str(Decimal(f"{digits}E{place}"))
