@@ -36,13 +36,16 @@ def test_the_worst_ball_counts_beside_one_that_contains_zero(speed, digits):
 
 
 def doubtful(run, place, k, off):
-    """The run if a number of a row of its record were off by so much: time, x1, v1, x2, v2; the last row is the end."""
+    """The run if a number of a row of its record were off by so much: time, x1, v1, x2, v2, in balls the excess.
+
+    The last row is the end.
+    """
     rows = [*run.record.rows, run.record.end]
     if run.bounded:
         rows[place] = rows[place].copy()
         rows[place][AT["late"] + k] = off
     else:
-        name = ("local", "x1", "v1", "x2", "v2")[k]
+        name = ("local", "x1", "v1", "x2", "v2", "excess")[k]
         with run.context():
             rows[place] = rows[place]._replace(**{name: widened(getattr(rows[place], name), arb(off))})
     *rows, end = rows
@@ -139,6 +142,8 @@ def test_an_answer_without_a_right_digit_is_no_success(arithmetic):
     assert (found.status, found.success) == (Status.NO_RIGHT_DIGIT, False)
     assert found.without_digits[0] == "positions"
     assert "no digit of positions" in found.message
+    if arithmetic == "ball":
+        assert doubtful(solve(PAPER, arithmetic=arithmetic), -1, 5, 1e5).without_digits == ("energy excess",)
 
 
 @pytest.mark.parametrize("arithmetic", ["float64", "ball"])
