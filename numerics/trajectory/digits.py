@@ -36,6 +36,8 @@ FEW_DIGITS = 3
 """So few right digits are said in the message of a run."""
 ROUNDING = 2.0**-53
 """Of one operation in float64."""
+_ZERO_BITS = 3
+"""A ball that holds 0 has no more accurate bits than that."""
 _SHORT = Ball(15)
 """In which right digits are counted."""
 
@@ -51,24 +53,29 @@ def proved_digits(trajectory: Any) -> int:
 
 def _digits_of_balls(trajectory: Any, *, relative_to_all: bool) -> tuple[int, ...]:
     """Return the least right digits of what JUDGED names, relative to each number, or to the largest of its kind."""
-    with trajectory.context():
-        times, states = trajectory.event_times, np.column_stack([trajectory.event_states, trajectory.final_state])
-        energy, *excess = trajectory.end_numbers()[len(states) :]
-        carried = [] if trajectory.row_excess is None else trajectory.row_excess
-        if relative_to_all:
-            excess = carried[-1:]  # another one is formed from the energy
-        numbers = (times, states[::2].ravel(), states[1::2].ravel(), [energy], excess)
-        most = max((abs(one.mid()) for one in carried), default=arb(0))
-        scales = (None, *_scales(trajectory), (arb(1), most))
-    found = []
+    times, states = trajectory.event_times, np.column_stack([trajectory.event_states, trajectory.final_state])
+    energy, *excess = trajectory.end_numbers()[len(states) :]
+    carried = [] if trajectory.row_excess is None else trajectory.row_excess
+    if relative_to_all:
+        excess = carried[-1:]  # another one is formed from the energy
+    numbers, found = (times, states[::2].ravel(), states[1::2].ravel(), [energy], excess), []
     with _SHORT.context():  # of numbers of any length
-        for some, both in zip(numbers, scales, strict=True):
-            digits = [digits_within(one.rad(), one, both[0] if both else one) for one in some]
-            if both and relative_to_all:
-                of_all = (digits_within(one.rad(), both[1], both[1]) for one in some)
-                digits = [*map(max, digits, of_all)]
-            found.append(min(digits, default=EXACT))
+        most = max((abs(one.mid()) for one in carried), default=arb(0))
+        scales = (arb(1), arb(0)), *_scales(trajectory), (arb(1), most)
+        for some, (scale, attained) in zip(numbers, scales, strict=True):
+            largest = max((one.rad() for one in some), default=arb(0))
+            reached = digits_within(largest, attained, attained) if relative_to_all else 0
+            found.append(reached or _least_digits(some, scale))
     return tuple(found)
+
+
+def _least_digits(some: Any, scale: arb) -> int:
+    """Return the least right digits of some numbers, each relative to itself, of a zero to a scale."""
+    # the count of accurate bits is within two bits of the logarithm: only the worst are measured, and all zeros
+    bits = [one.rel_accuracy_bits() for one in some]
+    close = 4 + min((count for count in bits if count > _ZERO_BITS), default=0)
+    worst = [one for one, count in zip(some, bits, strict=True) if count <= close]
+    return min((digits_within(one.rad(), one, scale) for one in worst), default=EXACT)
 
 
 def _scales(trajectory: Any) -> Iterator[tuple[arb, arb]]:

@@ -104,7 +104,7 @@ class Trajectory(Rows):
             return Status.EVENT_LIMIT
         if not self.certain:
             return Status.SEQUENCE_OPEN
-        if self.without_digits:
+        if self.digits is None and self.without_digits:
             return Status.NO_RIGHT_DIGIT
         is_stuck = self.record.how == How.STUCK and not self.scene.changes_later
         return Status.STUCK_FOR_EVER if is_stuck else Status.REACHED_HORIZON
@@ -141,7 +141,7 @@ class Trajectory(Rows):
     @property
     def without_digits(self) -> tuple[str, ...]:
         """Return the quantities of which no digit is right: an error bound, or a radius, is as large as they are."""
-        return self._with_digits(0)
+        return self._with_digits(0) if 0 in self._judged.right else ()
 
     def _with_digits(self, most: int) -> tuple[str, ...]:
         return tuple(name for name, right in zip(JUDGED, self._judged.right, strict=False) if right <= most)
