@@ -112,8 +112,9 @@ def _row(trajectory: Any, truth: Any, index: int) -> dict[str, Any]:
 def _texts(trajectory: Any, truth: Any, index: int) -> dict[str, Any]:
     """Return the numbers of an event, or of the end, by their names, as text; of balls with their radii."""
     names = ("t", *END_NAMES) if index == AT_END else ("t", *STATE, *trajectory.EVENT_COLUMNS)
-    values, most = numbers_at(trajectory, index), MOST_DIGITS if trajectory.bounded else trajectory.arithmetic.digits
+    values = numbers_at(trajectory, index)
     if trajectory.arithmetic.name != "ball":
+        most = MOST_DIGITS if trajectory.bounded else trajectory.arithmetic.digits
         errors = map(distance, values, numbers_at(truth, index)) if truth else bounds_at(trajectory, index)
         points = (arb(as_ball(one).mid(), error) for one, error in zip(values, errors, strict=False))
         return {name: point.str(most, radius=False) for name, point in zip(names, points, strict=False)}
