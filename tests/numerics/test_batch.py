@@ -98,6 +98,12 @@ def test_what_arrays_leave_open_is_said_in_a_sentence():
     assert "scene [0, 1]: " in repr(solve_many(**PAPER | {"v1": [[0.15], [0.1]], "until": [3.0, third]}))
 
 
+def test_arrays_are_binary_numbers_also_where_scenes_are_made_of_them_unless_they_are_exact():
+    """The float next to 1/200 lies beyond the edge of the sliding region, on which the exact one sticks."""
+    given = PAPER | {"x1": 0.005, "force": Force.constant(0)}
+    assert [solve_many(**given, exact=one).events.item() for one in (True, False)] == [0, 31]
+
+
 GRID = {"v1": [0.1, 0.2], "b": [[0.05], [0.1], [0.2]]}
 SHAPES = {
     "one": ({"v1": 0.1, "keep_events": 2}, ()),

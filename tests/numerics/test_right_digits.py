@@ -5,12 +5,15 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from flint import arb
+from hypothesis import given
+from strategies import decimals, signed
 from three_scenes import DAMPED, PAPER
 
 from numerics import Force, Pair, Piece, Scene, State, load_scene, solve, solve_scenes
-from numerics.arithmetic.ball import widened
+from numerics.arithmetic.ball import Ball, exact_middle, widened
 from numerics.linear.record import AT
 from numerics.trajectory.digits import proved_digits
+from numerics.trajectory.rendering import with_radius
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
@@ -117,6 +120,13 @@ def test_a_sequence_in_doubt_is_settled_by_the_next_arithmetic_and_nothing_is_ca
         assert solve(run.scene, digits=8).arithmetic.name == run.arithmetic.name
     assert solve(scene).arithmetic.name == "float64"
     assert solve(scene).tried == ""
+
+
+@given(signed(decimals(-9, 9, 18)), decimals(-30, 5))
+def test_what_is_printed_of_a_ball_holds_it(value, error):
+    ball = arb(Ball.number(value), Ball.number(error))
+    text, radius = map(Fraction, with_radius("x", ball, 15).values())
+    assert abs(exact_middle(ball) - text) + exact_middle(ball.rad()) <= radius
 
 
 # quantities of which no digit is right
