@@ -6,7 +6,7 @@ Which row's segment holds a time, and the motion from that row's state (flow.py)
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import reduce
 from typing import TYPE_CHECKING, Any, Literal, overload
@@ -26,7 +26,7 @@ from numerics.scene import Scene
 from numerics.scene.decimals import require_one_of
 from numerics.trajectory.answer import Answer
 from numerics.trajectory.columns import STATE, Array, Counts, Floats, Moment
-from numerics.trajectory.flow import Moving, signals_at, steps_of
+from numerics.trajectory.flow import Moving, signals_of, steps_of
 from numerics.trajectory.times import exact_time
 
 if TYPE_CHECKING:
@@ -330,27 +330,24 @@ class Rows(Answer):
 
         What acts: u, the friction force that sticking needs, that in slip, and the edge, N.
         """
-        (local, rest, y), found, (modes, which) = self._begun, np.zeros((FIRST + 4, len(since))), self._modes
-        for kind, chosen in _groups(modes, which[rows]):
-            z = np.zeros((kind.size, len(chosen)))
-            z[:FIRST] = y[:, rows[chosen]]
-            for one in np.unique(own := which[rows[chosen]]):
-                its = rows[chosen[own == one]]
-                z[FIRST:, own == one] = signals_at(modes[one], local[its], rest[its])
-            top = int(np.frexp(since[chosen].max(initial=0.0))[1])
-            changed = steps_of(kind.pair, kind.layout, bool(kind.side), kind.cell, top).over(z, since[chosen])
-            found[:FIRST, chosen], found[FIRST:, chosen] = changed[:FIRST], _acting(kind) @ (z + changed)
+        found, (local, rest, y), (modes, all_modes) = np.zeros((FIRST + 4, len(since))), self._begun, self._modes
+        which, kinds = all_modes[rows], dict[Any, list[int]]()
+        for k in np.unique(which).tolist():  # one matrix moves all modes of a kind
+            kinds.setdefault((modes[k].layout, bool(modes[k].side), modes[k].cell), []).append(k)
+        for (layout, slips, cell), its in kinds.items():
+            chosen = np.flatnonzero(np.isin(which, its))
+            tau, (own, at) = since[chosen], np.unique(rows[chosen], return_inverse=True)
+            top = int(np.frexp(max(tau.max(), local[own].max()))[1])
+            steps, z = steps_of(self.scene.pair, layout, slips, cell, top), np.zeros((layout.size, len(own)))
+            for k in its:
+                z[FIRST:, all_modes[own] == k] = signals_of(modes[k])[:, None]
+            for late in (local[own], rest[own]):
+                z += steps.over(z, late)
+            z[:FIRST] = y[:, own]
+            z = z[:, at.ravel()]
+            changed = steps.over(z, tau)
+            found[:FIRST, chosen], found[FIRST:, chosen] = changed[:FIRST], _acting(modes[its[0]]) @ (z + changed)
         return found
-
-
-def _groups(modes: list[LinearMode], which: Counts) -> Iterator[tuple[LinearMode, Counts]]:
-    """Yield a mode of every kind, which one matrix A moves, and where in `which` modes are of that kind."""
-    kinds: dict[Any, tuple[LinearMode, list[int]]] = {}
-    for one in np.unique(which).tolist():
-        key = modes[one].layout, bool(modes[one].side), modes[one].cell
-        kinds.setdefault(key, (modes[one], []))[1].append(one)
-    for mode, its in kinds.values():
-        yield mode, np.flatnonzero(np.isin(which, its))
 
 
 def _acting(mode: LinearMode) -> Floats:

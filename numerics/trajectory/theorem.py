@@ -214,7 +214,7 @@ class _Writer:
             self.hints.append(f"Hit {bits} {_written(low, high, k > 0)}")
             if self.close:
                 low, high = self.close.hit(mode, k, time)
-                self.steps.append(f"({_written(mode, low, high, k > 0)})".replace(" ", ", "))
+                self.steps.append(f"({_written(mode)}, {_written(low)}, {_written(high)}, {_written(k > 0)})")
 
     def _rest(self, mode: Mode, time: Fraction, hint: str) -> arb:
         """Go on in a mode to a time, and return v1 - v2 there."""
