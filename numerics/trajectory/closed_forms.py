@@ -318,7 +318,7 @@ def _bracket(guess: float, guard: Wave) -> tuple[Fraction, Fraction]:
         if guard(root).contains(0):
             break
         root = (root - guard(root) / slope(root)).mid()
-    near = root * arb(1, (1, 1 - flint.ctx.prec))
+    near = root * arb(1, (1, 4 - flint.ctx.prec))
     off = guard(near).abs_upper() / slope(near).abs_lower()
     if not (off.is_finite() and off < root):
         raise TooCoarse

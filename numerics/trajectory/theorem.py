@@ -46,13 +46,13 @@ from numerics.trajectory.trajectory import Trajectory
 
 SHOWN = 12
 """Digits of the bounds in a theorem, of the greatest time, place or velocity."""
-TRIES = (64, 96, 160, 256, 384, 576, 768, 1024)
+TRIES = (64, 96, 128, 192, 256, 384, 512, 768)
 """The precisions of the first state that are tried."""
 SPARE_BITS, STEP_BITS = 32, 16
 """With how many bits more than it is known to a state is computed with, and in what steps these become fewer."""
 KERNEL_BITS = 8
 """With how many bits more the kernel computes, which rounds elsewhere."""
-WORN = 4.0**12
+WORN = 4.0**8
 """How many times as large the square of a box becomes before it is replaced by a ball."""
 DOUBLINGS = 24
 """How often the time is doubled after which a damped stick is seen to be for ever."""

@@ -74,8 +74,7 @@ def written(monkeypatch):
 
     def proof_of(what):
         if what == "balls":
-            monkeypatch.setattr(writer, "TRIES", ((80, True),))
-            monkeypatch.setattr(writer, "WORN", 2.0)
+            monkeypatch.setattr(writer, "WORN", 4.0)
         return proof(SMALL if what == "small" else FORCED)
 
     return proof_of
