@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import reduce
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
 from numerics.linear.cells import Cells, mode_in
 from numerics.linear.model import EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
-from numerics.linear.modes import MODES, Mode
+from numerics.linear.modes import MODES
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
 from numerics.linear.record import AT, How, Record
 from numerics.linear.system import LinearMode
@@ -30,7 +30,7 @@ from numerics.trajectory.flow import Moving, signals_of, steps_of
 from numerics.trajectory.times import exact_time
 
 if TYPE_CHECKING:
-    from numerics.scene.decimals import Exact, Quantity, Times
+    from numerics.scene.decimals import Quantity, Times
 
 Side = Literal["left", "right"]
 _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
@@ -233,12 +233,6 @@ class Rows(Answer):
             given = self._times(t)
             return self.row_values(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
 
-    @overload
-    def mode_at(self, t: Exact | Quantity, side: Side = "right") -> Mode: ...
-
-    @overload  # as balls are any type here, where flint is not read
-    def mode_at(self, t: Times, side: Side = "right") -> Array: ...
-
     def mode_at(self, t: Any, side: Side = "right") -> Any:
         """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
         found = [MODES[sign] for sign in self.row_signs[self.row_at(t, side)]]
@@ -289,19 +283,23 @@ class Rows(Answer):
         """Return the linear mode in which a row begins."""
         return self._modes[0][self._modes[1][row]]
 
-    def row_motion(self, row: int) -> Moving:
-        """Return the motion of a row's segment; not for binary64."""
-        return Moving(self.arithmetic, self.row_mode(row), self.row_states[:, row].tolist(), self.row_times[row])
+    def _motions(self, rows: Counts, since: Array, function: Callable[[Moving, Any], Any]) -> Array:
+        """Return a function of the motions after rows, and of times (s) after their starts; not for binary64."""
+        found = []
+        for row, tau in zip(rows, since, strict=True):
+            at = self.row_states[:, row].tolist(), self.row_times[row]
+            found.append(function(Moving(self.arithmetic, self.row_mode(row), *at), tau))
+        return _columns(found)
 
     def row_flow(self, rows: Counts, since: Array) -> Array:
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
         if self.bounded:
             return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[:FIRST])
-        return _columns([self.row_motion(row).after(tau) for row, tau in zip(rows, since, strict=True)])
+        return self._motions(rows, since, Moving.after)
 
     def row_taken(self, rows: Counts, since: Array) -> Array:
         """Return what is taken and given (model.TAKEN) from the starts of rows on for times (s), J; not in binary64."""
-        return _columns([self.row_motion(row).taken(tau) for row, tau in zip(rows, since, strict=True)])
+        return self._motions(rows, since, Moving.taken)
 
     def row_excess_at(self, t: Any, side: Side) -> Number:
         """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
@@ -318,19 +316,14 @@ class Rows(Answer):
         found: Number = self.row_values(left, self._times(t).reshape(1), side).tolist()[0]
         return found
 
-    @cached_property
-    def _begun(self) -> tuple[Floats, Floats, Floats]:
-        """Return when each row begins in its piece, s, what its rounding left out, and its state, in binary64."""
-        local = self.floats(self.row_column("local"))
-        rest = self.row_column("local_rest") if self.bounded else 0.0 * local
-        return local, rest, self.floats(self.row_states)
-
     def row_changes(self, rows: Counts, since: Floats) -> Floats:
         """Return by how much the state changes from rows on for a time (s), and what acts then, (8, n), in binary64.
 
         What acts: u, the friction force that sticking needs, that in slip, and the edge, N.
         """
-        found, (local, rest, y), (modes, all_modes) = np.zeros((FIRST + 4, len(since))), self._begun, self._modes
+        local, y = self.floats(self.row_column("local")), self.floats(self.row_states)
+        rest = self.row_column("local_rest") if self.bounded else 0.0 * local
+        found, (modes, all_modes) = np.zeros((FIRST + 4, len(since))), self._modes
         which, kinds = all_modes[rows], dict[Any, list[int]]()
         for k in np.unique(which).tolist():  # one matrix moves all modes of a kind
             kinds.setdefault((modes[k].layout, bool(modes[k].side), modes[k].cell), []).append(k)
