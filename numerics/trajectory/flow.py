@@ -20,7 +20,7 @@ from flint import arb, arb_mat
 from numerics.arithmetic.ball import Ball, as_float, exact_middle, magnitude_bits
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.linear.model import BELT, FIRST, SLIP, STICK, TAKEN, WALL, Cell, Layout
+from numerics.linear.model import FIRST, SLIP, STICK, TAKEN, Cell, Layout
 from numerics.linear.system import LinearMode, LocalNorm, Motion, matrix, sparse
 from numerics.scene import Pair
 from numerics.trajectory.columns import Floats
@@ -38,44 +38,27 @@ _PHASE_BITS = 384
 
 # ------------------------------------------------------------------ in binary64
 class Steps:
-    """exp(A t) of stick or of slip in binary64, for times below 2^top s.
-
-    z is in units (powers of 2) in which no power of a time leaves the range.
-    """
+    """exp(A t) of stick or of slip in binary64, for times below 2^top s."""
 
     def __init__(self, pair: Pair, layout: Layout, slips: bool, cell: Cell, top: int) -> None:
         """Form exp(A h 2^k) in balls."""
         mode = LinearMode.like(pair, int(slips), layout, cell)
         with precision(64):
             fastest = LocalNorm(mode).fastest.upper()
-            mass = magnitude_bits(Ball.number(mode.mass).mid())
         shortest = min(top, -1 - magnitude_bits(fastest)) if fastest > 0 else top
-        units = np.zeros(mode.size, dtype=int)
-        units[[0, 2]] = -shortest
-        push = {WALL: -shortest, BELT: 0}
-        for signal, (first, terms, sines, waves) in enumerate(layout.blocks):
-            own = push.get(signal, shortest - mass)
-            units[first : first + terms] = own + top * np.arange(terms)
-            units[sines : sines + 2 * waves] = own
-        self.units, self.h, factors = units[:, None], np.ldexp(1.0, shortest), [Fraction(2) ** int(k) for k in units]
-        scaled = [
-            [c * to / of if c else c for c, of in zip(row, factors, strict=True)]
-            for row, to in zip(mode.generator(), factors, strict=True)
-        ]
-        unit = Fraction(2) ** shortest
-        self.taylor = np.array([[float(one * unit) for one in row] for row in scaled])
+        unit, self.h = Fraction(2) ** shortest, np.ldexp(1.0, shortest)
+        self.taylor = np.array([[float(one * unit) for one in row] for row in mode.generator()])
         largest = max(0, int(np.frexp(np.abs(self.taylor).max())[1]))
         self.longer: list[Floats] = []
         with precision(144 + _BITS_PER_DOUBLING * (top - shortest) + 2 * largest):
-            flow = (matrix(scaled) * (arb(2) ** shortest)).exp()
+            flow = (matrix(mode.generator()) * (arb(2) ** shortest)).exp()
             for _ in range(top - shortest):
                 self.longer.append(np.array([*map(as_float, (flow - 1).entries())]).reshape(mode.size, mode.size))
                 flow = flow * flow
 
     def over(self, z: Floats, tau: Floats) -> Floats:
         """Return by how much z changes within tau (s)."""
-        z, rest = np.ldexp(z, self.units), np.fmod(tau, self.h)
-        changed, term = np.zeros_like(z), z
+        rest, changed, term = np.fmod(tau, self.h), np.zeros_like(z), z
         for k in range(1, _TERMS + 1):
             term = (self.taylor @ term) * (rest / self.h / k)
             changed += term
@@ -84,7 +67,7 @@ class Steps:
                 break
             on = np.fmod(tau, np.ldexp(self.h, k + 1)) >= np.ldexp(self.h, k)
             changed[:, on] += less_one @ (z[:, on] + changed[:, on])
-        return np.ldexp(changed, -self.units)
+        return changed
 
 
 steps_of = lru_cache(64)(Steps)
