@@ -83,7 +83,6 @@ def written(monkeypatch):
 A_DIGIT = r"(Event Stick )\((\S+), (\S+)\)"
 CLOSE = r"(Close \S+ \S+ \S+ \S+) \S+\)"
 FALSE = {
-    "a digit": ("small", A_DIGIT, later),
     "a sign": ("small", r"\(0.000155723243408, 0.000155723243409\)", "(-0.0001557233, -0.0001557232)"),
     "the friction": ("small", r"Spell 0 0\.05 ", "Spell 0 0.0501 "),
     "the last mode": ("small", r"Ending \(Slip true\)", "Ending Stick"),
