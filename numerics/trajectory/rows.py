@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import reduce
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
@@ -17,8 +17,8 @@ from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
 from numerics.linear.cells import Cells, mode_in
-from numerics.linear.model import EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
-from numerics.linear.modes import MODES
+from numerics.linear.model import CONSTANT, EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
+from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
 from numerics.linear.record import AT, How, Record
 from numerics.linear.system import LinearMode
@@ -30,7 +30,7 @@ from numerics.trajectory.flow import Moving, signals_of, steps_of
 from numerics.trajectory.times import exact_time
 
 if TYPE_CHECKING:
-    from numerics.scene.decimals import Quantity, Times
+    from numerics.scene.decimals import Exact, Quantity, Times
 
 Side = Literal["left", "right"]
 _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
@@ -233,6 +233,12 @@ class Rows(Answer):
             given = self._times(t)
             return self.row_values(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
 
+    @overload
+    def mode_at(self, t: Exact | Quantity, side: Side = "right") -> Mode: ...
+
+    @overload  # as balls are any type here, where flint is not read
+    def mode_at(self, t: Times, side: Side = "right") -> Array: ...
+
     def mode_at(self, t: Any, side: Side = "right") -> Any:
         """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
         found = [MODES[sign] for sign in self.row_signs[self.row_at(t, side)]]
@@ -330,17 +336,21 @@ class Rows(Answer):
         for (layout, slips, cell), its in kinds.items():
             chosen = np.flatnonzero(np.isin(which, its))
             tau, (own, at) = since[chosen], np.unique(rows[chosen], return_inverse=True)
-            top = int(np.frexp(max(tau.max(), local[own].max()))[1])
-            steps, z = steps_of(self.scene.pair, layout, slips, cell, top), np.zeros((layout.size, len(own)))
+            z, pair = np.zeros((layout.size, len(own))), self.scene.pair
             for k in its:
                 z[FIRST:, all_modes[own] == k] = signals_of(modes[k])[:, None]
-            for late in (local[own], rest[own]):
-                z += steps.over(z, late)
+            for late in (local[own], rest[own]):  # the signals are those of a stick, in which nothing grows
+                z += steps_of(pair, layout, False, CONSTANT, _bits(local[own])).over(z, late)
             z[:FIRST] = y[:, own]
             z = z[:, at.ravel()]
-            changed = steps.over(z, tau)
+            changed = steps_of(pair, layout, slips, cell, _bits(tau)).over(z, tau)
             found[:FIRST, chosen], found[FIRST:, chosen] = changed[:FIRST], _acting(modes[its[0]]) @ (z + changed)
         return found
+
+
+def _bits(times: Floats) -> int:
+    """Return e with all times below 2^e."""
+    return int(np.frexp(times.max())[1])
 
 
 def _acting(mode: LinearMode) -> Floats:
