@@ -43,8 +43,8 @@ NO_NUMBERS = _names(
 )
 """What says how and with which digits, and what gives the numbers below once more."""
 ROWS = _names(
-    """row_at row_changes row_column row_excess row_excess_at row_flow row_lengths row_mode row_motion
-    row_pieces row_signs row_states row_taken row_times row_values"""
+    """row_at row_changes row_column row_excess row_excess_at row_flow row_lengths row_mode row_pieces
+    row_signs row_states row_taken row_times row_values"""
 )
 """Of what the numbers below are made."""
 NUMBERS = _names(

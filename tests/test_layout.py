@@ -127,8 +127,6 @@ def test_help_answers_without_heavy_imports(package):
     assert done.stderr.strip().splitlines()[-1] == "[]"
 
 
-OWN_PRECISION = {"precision.py", "closed_forms.py"}
-"""The lock itself, and intervals of a command, in a context of their own."""
 HELD = re.compile(r"\b(precision|series_terms|mpmath_precision|context|fine|terms)\(")
 SET = re.compile(
     r"\.(?:prec|dps|cap)\b[^=()\n]*=(?!=)|\b(?:work|extra)(?:prec|dps)\b|functools import [^.]*cached_property"
@@ -151,7 +149,7 @@ def outside_the_lock(path: Path) -> list[str]:
 
 
 def test_every_precision_is_set_under_one_lock():
-    files = [path for _, path in files_of("numerics") if path.name not in OWN_PRECISION]
+    files = [path for _, path in files_of("numerics") if path.name != "precision.py"]
     assert not {str(path): found for path in files if (found := outside_the_lock(path))}
 
 
