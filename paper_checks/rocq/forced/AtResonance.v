@@ -1,7 +1,7 @@
 (** A sine at the frequency of body 1 alone, without a damper, of the amplitude 4 b/pi: just what friction takes. There
     is a family of motions that slip for ever, one way for half a period and then the other way; so every motion is
     bounded, and none attracts the others. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Approach Arcs Nonstop NonstopUndamped.
+From InertialPair Require Import Dini Pair Forced Approach Arcs Nonstop NonstopUndamped.
 
 Section Edge.
 Variables m1 m2 a2 b om : R.

@@ -26,14 +26,11 @@ Proof.
 Qed.
 
 Section Heavy.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 a1 a2 b x v1 v2 s.
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 a1 a2 b x v1 v2 s).
 Let p t := a2 * x t + a1 * v1 t.
 Let w t := v1 t - v2 t.
-Variables X V : R.
-Hypotheses (BX : forall t, 0 <= t -> - X <= x t <= X) (BV : forall t, 0 <= t -> - V <= v1 t <= V).
+Context (X V : R) (BX : forall t, 0 <= t -> - X <= x t <= X) (BV : forall t, 0 <= t -> - V <= v1 t <= V).
 
 (** under friction of at least - c in a direction, from r to t, p comes down to c *)
 Lemma load_relaxes k c r t : k = 1 \/ k = -1 -> 0 <= r <= t -> (forall u, r <= u < t -> dini_le (fun q => - k * s q) u c) ->
@@ -97,8 +94,7 @@ Proof.
 Qed.
 
 (** *** Body 1 is slow from the time e on, and the load within b M/m1 *)
-Variable e : R.
-Hypotheses (A1 : 1 <= a1) (He : 0 < e).
+Context (e : R) (A1 : 1 <= a1) (He : 0 < e).
 
 Lemma load_bound t : e <= t -> - (b + C e / a1) <= p t <= b + C e / a1.
 Proof.
@@ -181,7 +177,6 @@ Proof.
   replace (m2 / b * (D + (Rabs (v2 0) + b / m2 * e))) with (m2 / b * D + m2 * Rabs (v2 0) / b + e) in * by (field; lra). lra.
 Qed.
 
-(** and not before *)
 Lemma not_before T : 0 <= T -> (forall t, T <= t -> v1 t = v2 t) -> m2 * Rabs (v2 0) / b - m2 / b * D - e <= T.
 Proof.
   intros HT St. set (t := Rmax T e). assert (T <= t) by apply Rmax_l. assert (e <= t) by apply Rmax_r.

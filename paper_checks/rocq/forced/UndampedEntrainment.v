@@ -4,15 +4,13 @@ From Coq Require Import Rtopology.
 From InertialPair Require Import Dini PaidRates Pair Stick TurnedFrame Pursuit Forced EnergyLimit Interface Entrainment.
 
 Section Slide.
-Variables m1 m2 a1 a2 b rho : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b rho : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Variables U x v1 v2 s y v r : R -> R.
 Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (H' : forced m1 m2 a1 a2 b U y v v r)
   (Easy : forall p q, 0 <= p <= q -> Rabs (r q - r p) <= rho * (q - p)).
 Let w t := v1 t - v2 t.
 Let D t := energy m1 m2 a2 (x t - y t) (v1 t - v t) (v2 t - v t).
 
-(** the relative velocity is continuous *)
 Lemma cont_slip : cont w.
 Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
 
@@ -28,7 +26,6 @@ Proof.
   unfold D, w. lra.
 Qed.
 
-(** the distance is continuous *)
 Lemma cont_D : cont D.
 Proof. exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H'). Qed.
 
@@ -65,8 +62,7 @@ Section Undamped.
 Variables m1 m2 a2 b F om : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b) (HF : 0 <= F) (Hom : 0 < om)
   (HZ : 0 < Z m1 m2 0 a2 om) (Low : F < Fstar m1 m2 0 a2 b om).
-Variables x v1 v2 s : R -> R.
-Hypothesis H : forced m1 m2 0 a2 b (drive F om) x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : forced m1 m2 0 a2 b (drive F om) x v1 v2 s).
 Let M := m1 + m2.
 Let Om := omega m1 m2 a2.
 Let y := rX m1 m2 0 a2 F om.
@@ -113,7 +109,6 @@ Proof.
   intros Ht. replace (w t) with (v1 t - v2 t) by (unfold w, d1, d2; ring).
   exact (D_falls m1 m2 0 a2 b rho Hm1 Hm2 (Rle_refl 0) Hb _ _ _ _ _ _ _ _ H Stuck share t Ht).
 Qed.
-(** and never grows *)
 Lemma D_mono p q : 0 <= p <= q -> D q <= D p.
 Proof. exact (forced_contraction m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb _ _ _ _ _ _ _ _ _ p q H Stuck). Qed.
 
@@ -183,7 +178,6 @@ Proof.
   assert (Rabs (sin (Om * t)) <= 1) by (apply Rabs_le, SIN_bound). nra.
 Qed.
 
-(** and has its period *)
 Lemma free_period x0 v0 k t : V m1 m2 a2 x0 v0 (t + INR k * (2 * PI / Om)) = V m1 m2 a2 x0 v0 t.
 Proof.
   unfold V. fold Om. replace (Om * (t + INR k * (2 * PI / Om))) with (Om * t + 2 * INR k * PI) by (field; lra).

@@ -5,12 +5,10 @@ From InertialPair Require Import Dini Pair Stick EnergyLimit Dichotomy Viscous E
 From InertialPair Require Import ReturnToS0 SwitchingSurface Interface.
 
 Section Free.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let w t := v1 t - v2 t.
 Let CW : cont w.
 Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 0 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.

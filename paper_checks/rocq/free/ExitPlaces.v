@@ -1,7 +1,6 @@
 (** The places of exits and entries of a solution that never merges: every exit is at an end of S0, the entry after it
     tends to the same end, and the speeds at both tend to 0. *)
-From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap FollowArc Cycle ExitOrbit SharpRate
-  SharpLaw OneOverT ReturnToS0 SwitchingSurface.
+From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion OneOverT ReturnToS0 SwitchingSurface.
 
 (** a sequence whose squares tend to 0 tends to 0 *)
 Lemma from_squares u : is_lim_seq (fun n => u n ^ 2) 0 -> is_lim_seq u 0.
@@ -12,12 +11,10 @@ Proof.
 Qed.
 
 Section Ends.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Hypothesis up : forall t, 0 <= t -> Ecr < E t.
 

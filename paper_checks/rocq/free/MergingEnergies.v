@@ -1,14 +1,12 @@
 (** Who merges from S0 when it first meets S after it left S0, and who at the first re-entry of S0,
     after any number of crossings: exactly the energies of one and the same closed interval above E_cr,
     whose ends are the two roots of hh = sqrt r depth. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction FollowArc Cycle ExitOrbit
-  SharpRate MergingAngles AfterOneSlip AlternatingSlips KappaBound ReturnToS0 MergingByMassRatio MergingIff.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle ExitOrbit SharpRate
+  MergingAngles AfterOneSlip AlternatingSlips KappaBound ReturnToS0 MergingByMassRatio MergingIff.
 
 Section Roots.
-Variable ps : R.
-Hypotheses (Hps : 0 < ps < PI) (Z : K ps = 0).
+Context (ps : R) (Hps : 0 < ps < PI) (Z : K ps = 0).
 
-(** before its zero K is positive, and after it negative *)
 Lemma turning_signs : (forall u, 0 < u < ps -> 0 < K u) /\ (forall u, ps < u <= PI -> K u < 0).
 Proof.
   destruct root as (p0 & Hp0 & _ & Le & Ri). assert (p0 = ps) as ->; [|auto].

@@ -3,8 +3,7 @@ From InertialPair Require Import Dini Pair Stick WellPosed FollowArc Cycle ExitO
   SwitchingSurface.
 
 Section TwoArcs.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let q := m1 / (m1 + m2).
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
@@ -14,11 +13,9 @@ Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
 Definition level_speed e y := sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)).
 
 Section Level.
-Variable e : R.
-Hypothesis He : Ecr < e.
+Context (e : R) (He : Ecr < e).
 Let sp := level_speed e.
 
-(** above E_cr it is positive on S0, least at the ends *)
 Lemma speed_pos y : - L <= y <= L -> 0 < sp L <= sp y /\ energy m1 m2 a2 y (sp y) (sp y) = e.
 Proof.
   intros Hy. assert (y ^ 2 <= L ^ 2) by nra. assert (a2 * y ^ 2 <= a2 * L ^ 2) by scale.
@@ -31,7 +28,6 @@ Proof.
       with (a2 * y ^ 2 / 2 + (m1 + m2) * (sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) * sqrt ((2 * e - a2 * y ^ 2) / (m1 +
         m2))) / 2) by field. rewrite sqrt_sqrt; [field; lra|]. apply Rlt_le, Rdiv_lt_0_compat; lra.
 Qed.
-(** and the level fixes the speed, up to its sign *)
 Lemma level_speeds y v : - L <= y <= L -> energy m1 m2 a2 y v v = e <-> v = sp y \/ v = - sp y.
 Proof.
   intros Hy. destruct (speed_pos y Hy) as (P & Ey). split.

@@ -5,8 +5,7 @@ From InertialPair Require Import Dini MonotoneInclusion EnergyLimit.
 
 Section Ellipse.
 Context {Y : ModuleSpace R_AbsRing}.
-Variable ip : Y -> Y -> R.
-Hypothesis In : inner ip.
+Context (ip : Y -> Y -> R) (In : inner ip).
 Variables q p : Y.
 
 (** the stuck motion with the place q and the velocity p (in units of the frequency) at the phase 0 *)
