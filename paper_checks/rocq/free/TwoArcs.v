@@ -22,7 +22,7 @@ Proof.
   assert (HL : a2 * L ^ 2 < 2 * e) by (unfold Ecr in He; rewrite Ecr_L in He by auto; fold L in He; lra).
   split; [split|].
   - apply sqrt_lt_R0, Rdiv_lt_0_compat; lra.
-  - apply sqrt_le_1_alt. unfold Rdiv. apply Rmult_le_compat_r; [positive|lra].
+  - apply sqrt_le_1_alt. apply Rmult_le_compat_r; [positive|lra].
   - unfold sp, level_speed, energy. replace (a2 * y ^ 2 / 2 + m1 * sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) ^ 2 / 2
       + m2 * sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) ^ 2 / 2)
       with (a2 * y ^ 2 / 2 + (m1 + m2) * (sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) * sqrt ((2 * e - a2 * y ^ 2) / (m1 +
@@ -62,8 +62,8 @@ Proof.
     pose proof (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H 0 t ltac:(lra)).
     pose proof (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H t T ltac:(lra)). lra. }
   assert (Neg : forall t, 0 <= t <= T -> v1 t = - sp (x t)).
-  { intros t Ht. destruct (St t Ht) as (_ & Hx). destruct (proj1 (level_speeds (x t) (v1 t) Hx) (Et t Ht)) as [S|S];
-      auto. exfalso. destruct (speed_pos (x t) Hx) as (Sp & _).
+  { intros t Ht. destruct (St t Ht) as (_ & Hx).
+    destruct (proj1 (level_speeds (x t) (v1 t) Hx) (Et t Ht)) as [S|S]; auto. destruct (speed_pos (x t) Hx) as (Sp & _).
     destruct (cont_IVT v1 0 t (s_cv _ _ _ _ _ _ _ _ _ H)) as (c & Hc & Z); [lra|rewrite V0, S; nra|].
     destruct (St c ltac:(lra)) as (_ & Hxc). destruct (speed_pos (x c) Hxc) as (Sc & _).
     destruct (proj1 (level_speeds (x c) (v1 c) Hxc) (Et c ltac:(lra))); lra. }
