@@ -873,14 +873,14 @@ Check @Forced.reach.
 Print Assumptions Forced.reach.
 
 Goal True. idtac "== resonance-edge
-With $a_1=0$, under $u=\frac{4b}{\pi}\sin\omega_1t$ there is a family of motions that slip permanently, one way for half a period and then the other way, in closed form.
+With $a_1=0$, under $u=\frac{4b}{\pi}\sin\omega_1t$ there is a family of motions that slip permanently, one way for half a period and then the other way, in closed form: for $c\geqslant\frac{b}{m_2\omega_1}$, and for no smaller $c$.
 uses: antiperiodic, arc-begins". Abort.
 Check @AtResonance.edge_family.
 Print Assumptions AtResonance.edge_family.
 
 Goal True. idtac "== resonance-edge-bounded
 With $a_1=0$, every motion under $u=\frac{4b}{\pi}\sin\omega_1t$ is bounded.
-uses: forced-contraction, resonance-edge". Abort.
+uses: antiperiodic, arc-begins, forced-contraction". Abort.
 Check @AtResonance.edge_bounded.
 Print Assumptions AtResonance.edge_bounded.
 
