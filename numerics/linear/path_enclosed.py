@@ -232,7 +232,8 @@ class EnclosedPath:
             return at.norm
         exp = Motion(flow.mode, flow.A, flow.A).flow(t)
         # the greatest singular value of a matrix from the sum of its squares and its determinant
-        square = exp[X1, X1] ** 2 + exp[V1, V1] ** 2 + exp[V1, X1] ** 2 / stiff + exp[X1, V1] ** 2 * stiff
+        entries = exp[X1, X1], exp[V1, V1], exp[V1, X1] / stiff.sqrt(), exp[X1, V1] * stiff.sqrt()
+        square = sum((one * one for one in entries), arb(0))  # a power of a ball so near 0 is no number
         inner = (square * square - 4 * (-2 * rate * t).exp()).abs_upper()
         return (at.norm * ((square + inner.sqrt()) / 2).upper().sqrt().min(arb(1))).upper()
 
