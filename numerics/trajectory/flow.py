@@ -123,7 +123,9 @@ class Moving:
         short = tau.mid() / arb(2) ** halved
         for place, (one, two) in enumerate(mode.rows.powers[SLIP if mode.side else STICK].tolist()):
             if any(one) and any(two):
-                flow, total = _van_loan(motion.matrix, short, matrix([one]).transpose() * matrix([two]))
+                form = matrix([one]).transpose() * matrix([two])
+                # symmetric, which balls bound more sharply
+                flow, total = _van_loan(motion.matrix, short, (form + form.transpose()) / 2)
                 for _ in range(halved):
                     total += flow.transpose() * total * flow
                     flow = flow * flow
