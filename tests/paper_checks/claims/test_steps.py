@@ -8,7 +8,6 @@ import pytest
 import sympy as sp
 
 from numerics import Pair, Scene, State, load_scene
-from paper_checks.claims import CLAIMS
 from paper_checks.claims.beyond import (
     merging_share,
     return_map,
@@ -17,13 +16,10 @@ from paper_checks.claims.beyond import (
 from paper_checks.claims.section_3 import filippov
 from paper_checks.claims.section_4 import onset, velocities
 from paper_checks.decide.enclosure import solved
-from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.clause import Formula
-from paper_checks.evidence.evidence import closure
 from paper_checks.evidence.finding import Verdict
-from paper_checks.running.runner import Context, decide, row
-from theory.model import RELATIVE_SIGN, STICTION_SIGN
-from theory.symbols import acceleration1, b, m2
+from paper_checks.running.runner import Context, decide
+from theory.symbols import b
 
 from .conftest import CHECKS
 from .faults import target, unbounded_sign
@@ -51,25 +47,6 @@ def test_another_scene_or_another_printed_formula_does_not_carry_the_verdict(nam
 
 
 # eqs (3) and (4)
-
-RESTING_ON_THEM = {"sgn-three-valued", "modes-from-closed-form", "interface-force-balance"}
-ADHESION = m2 * acceleration1 * (1 - sp.Abs(RELATIVE_SIGN)) * (1 - STICTION_SIGN) / 2
-
-
-@pytest.mark.parametrize(
-    ("place", "change", "more"),
-    [
-        ("driven_equation", lambda right: right - 2 * b * RELATIVE_SIGN, ()),
-        ("driving_equation", lambda right: right + b * RELATIVE_SIGN, ()),
-        ("driven_equation", lambda right: right.subs(STICTION_SIGN, -STICTION_SIGN), ("stiction-bracket",)),
-        ("driven_equation", lambda right: right + ADHESION, ("stiction-bracket",)),  # without the factor 1/2
-    ],
-)
-def test_a_fault_in_the_model_turns_the_claims_that_rest_on_it(plant, place, change, more):
-    for module in ("theory.model", *(["paper_checks.claims.section_3.filippov"] if more else [])):
-        plant(f"{module}.{place}", lambda equation: lambda: change(equation()))
-    for name in RESTING_ON_THEM.union(more):
-        assert row(CHECKS[name], decide(CHECKS[name], Context()), 0.0).finding.verdict is Verdict.UNDECIDED, name
 
 
 # what a step needs
@@ -146,10 +123,3 @@ ROOT = sp.sqrt(Y)
 def test_bounds_of_the_error_next_to_the_edge(relation, right, passed):
     found = uniform_rate.bounds_error(Formula("R_n", relation, right, uniform_rate.bounds_error)).passed
     assert found is passed or (passed is None and not found)
-
-
-def test_no_step_of_the_proofs_under_a_force_is_a_sample():
-    subjects = ("forced_modes", "contraction", "response", "resonance", "entrainment", "control", "tolerance")
-    ours = [one for one in CLAIMS if one.kind is Kind.THEOREM and one.case.__module__.rpartition(".")[2] in subjects]
-    assert len(ours) == 10
-    assert all(step.kind.decisive for claim in ours for step in closure(claim.decide().evidence))
