@@ -1,4 +1,4 @@
-"""What the solver says that it does not know, frozen: bounds, radii, and how large errors of a start lead into doubt.
+"""What the solver in floats does not know, frozen: bounds, and how large errors of a start lead into doubt.
 
 From tests, `python -m oracle.bounds` freezes those of today.
 """
@@ -7,97 +7,39 @@ import json
 import lzma
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from fractions import Fraction
-from functools import partial
 from itertools import islice
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from enclosed_runs import ONE_ANSWER
-from kernel_runs import BOUNDS, a_scene, errors
-from kernel_runs import run as run_kernel
-from scene_files import scenes_in
-from sixty_digits import EXTREMES, FORCED, extreme_scene, forced_scene
+from kernel_runs import BOUNDS, a_scene, errors, run
+from sixty_digits import EXTREMES, extreme_scene
 
 from numerics import (
     Force,
     Friction,
     Law,
     NumericsError,
-    Pair,
     Piece,
     Scene,
     Sine,
-    State,
-    Trajectory,
-    load_scene,
-    sensitivities,
     solve,
     solve_many,
 )
-from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.compiled import can_compile, compiled
-from numerics.control.orbit import Box
-from numerics.free.engine import run_free
-from numerics.linear.enclosed import run_enclosed
 from numerics.linear.errors_of import errors_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
-from numerics.scene.file import described_scenes, shipped_scenes
-from numerics.trajectory.run import free_scene
 from oracle.reading import HERE
 
 FROZEN = HERE / "bounds.json.xz"
 Numbers = list[float]
 Frozen = dict[str, dict[str, Numbers]]
 ENDS = [*BOUNDS, AT["speed_error"], AT["ledger_error"]]
-FOLDERS = "differentiated", "followed", "followed-in-balls", "no-ties", "passed-over", "proved", "weakened"
 PROVE = "if a bound became smaller, or a doubt (number 0) begins later, prove it; if larger, it is a loss; then"
 CHANGED = f"{PROVE} freeze anew with `python -m oracle.bounds`, from tests"
 NEAR, HALVINGS, EVENTS = 1.003, 14, 8
-BALLS = Ball(40)
-WITHIN = {"floats": 1.001, "rounded floats": 1.1, "balls": 1.001, "rounded balls": 1.5}
+WITHIN = {"floats": 1.001, "rounded floats": 1.1}
 """By which factor a number of each kind may change."""
-
-
-class Run(NamedTuple):
-    """How a scene is followed with errors of a size at the start (None: in doubt), and the bounds of that."""
-
-    kind: str
-    name: str
-    follow: Callable[[float], Any]
-    numbers: Callable[[Any], Numbers]
-
-
-def runs() -> Iterator[Run]:
-    for k in range(300 if can_compile() else 12):
-        scene = a_scene(random := np.random.default_rng(k))
-        scene = scene.replace(until=scene.until * (40 if k % 8 == 7 and k > 12 else 1))  # a stick may be stepped over
-        by = np.array(errors(random, scene), dtype=float)
-        by /= max(abs(by).max(), 1e-9)
-        yield Run("floats", f"{k} kernel", partial(in_floats, scene, by), partial(of_floats, scene))
-    for name, scene in scenes().items():
-        for engine in [run_enclosed, *[run_free] * free_scene(scene)]:
-            yield Run("balls", f"{name} {engine.__name__}", partial(in_balls, scene, engine), of_balls)
-
-
-PROBLEMS = {name for name, what in described_scenes().items() if what.startswith("Your problem")}
-"""Shipped after the freeze; tests/test_problems.py has their right values."""
-STEADY = Force([Piece(0, (), [Sine("0.234", 5)]), Piece(1, ["1.4"])])
-STUCK = Scene(Pair(1, 1, 200, "0.5", 6), State("-0.0003", "0.0075", 0, "0.0075"), 3, force=STEADY)
-"""Nothing swings freely before the jump: the motion up to there is known exactly."""
-
-
-def scenes() -> dict[str, Scene]:
-    found = {name: forced_scene(name) for name in FORCED} | {name: scene for name, (scene, _) in ONE_ANSWER.items()}
-    found |= {f"{folder}/{name}": scene for folder in FOLDERS for name, scene in scenes_in(folder).items()}
-    found |= {name: load_scene(name) for name in shipped_scenes() if name not in PROBLEMS} | {"stuck": STUCK}
-    return {name: scene for name, scene in found.items() if isinstance(scene, Scene)}
-
-
-def in_floats(scene: Scene, by: Any, size: float) -> Any:
-    found = run_kernel(scene, size * by)
-    return None if found.modes is None else found
 
 
 def of_floats(scene: Scene, found: Any) -> Numbers:
@@ -108,24 +50,13 @@ def of_floats(scene: Scene, found: Any) -> Numbers:
     return [*found.rows[:EVENTS, BOUNDS].ravel(), *found.end[ENDS], *read[:2], max(read[2])]
 
 
-def in_balls(scene: Scene, engine: Any, size: float) -> Any:
-    size = size if engine is run_enclosed else min(size, 1e-8)  # what is larger it refuses here and there
-    try:
-        return Trajectory(scene, BALLS, engine(scene, Box(BALLS.digits, Ball.number(Fraction(size))), EVENTS))
-    except (NumericsError, ArithmeticError, ValueError):  # a large box holds what is no scene
-        return None
-
-
-def of_balls(found: Any) -> Numbers:
-    """Of events, the end, the ledger, a state within, derivatives of all of them."""
-    with found.arithmetic.context():
-        ledger, at = found.ledger, 0.37 * float(found.end_time)
-        parts = [found.event_times, found.event_states, found.final_state, found.sol(at)]
-        parts.append([ledger.friction, ledger.viscous, ledger.work, ledger.residual])
-        with suppress(NumericsError):
-            _, *more = *vars(sensitivities(found)).values(), sensitivities(found, at)
-            parts += more
-        return [float(one.rad()) for part in parts for one in np.ravel(part)]
+def runs() -> Iterator[tuple[str, Scene, Any]]:
+    """Seeded scenes, each with a direction of errors at the start."""
+    for k in range(300 if can_compile() else 12):
+        scene = a_scene(random := np.random.default_rng(k))
+        scene = scene.replace(until=scene.until * (40 if k % 8 == 7 and k > 12 else 1))  # a stick may be stepped over
+        by = np.array(errors(random, scene), dtype=float)
+        yield f"{k} kernel", scene, by / max(abs(by).max(), 1e-9)
 
 
 def batches() -> Iterator[tuple[str, Any]]:
@@ -145,14 +76,15 @@ def batches() -> Iterator[tuple[str, Any]]:
 
 def asked(frozen: Frozen, part: int = 0, of: int = 1) -> Iterator[tuple[str, str, Numbers]]:
     """Kind, name and numbers of every answer; the sizes that lead into doubt are sought next to the frozen ones."""
-    for kind, name, follow, numbers in islice(runs(), part, None, of):
-        size = least_in_doubt(lambda size, follow=follow: follow(size) is not None, frozen.get(kind, {}).get(name, []))
-        exact, some = (
-            [] if found is None else numbers(found)
-            for found in (follow(0.0), follow(size / (6 if kind == "floats" else 20)))
-        )
-        yield kind, name, [size, *some]
-        yield f"rounded {kind}", name, exact
+    for name, scene, by in islice(runs(), part, None, of):
+
+        def follow(size: float, scene: Scene = scene, by: Any = by) -> Any:
+            return run(scene, size * by)
+
+        size = least_in_doubt(lambda size: follow(size).modes is not None, frozen.get("floats", {}).get(name, []))
+        exact, some = ([] if found.modes is None else of_floats(scene, found) for found in map(follow, (0.0, size / 6)))
+        yield "floats", name, [size, *some]
+        yield "rounded floats", name, exact
     if part:
         return
     for name in EXTREMES:
