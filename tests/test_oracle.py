@@ -161,7 +161,7 @@ def test_bounds_doubts_and_derivatives_are_the_frozen_ones(part):
     assert not [*changes(part, 4)]
 
 
-@pytest.mark.parametrize("kind", ["floats", "balls"])
+@pytest.mark.parametrize("kind", ["floats", "rounded floats"])
 def test_a_bound_that_became_smaller_or_larger_is_seen(kind):
     known = np.array([3.0, 2.0])
     for factor, seen in ((1, 0), (0.89, 1), (1.11, 1), (np.nan, 1)):
