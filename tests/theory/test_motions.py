@@ -64,22 +64,6 @@ def test_a_branch_solves_the_closed_form_where_its_signs_hold_and_nowhere_else(n
     assert not any(satisfies(name, state) for state in elsewhere)
 
 
-@pytest.mark.parametrize(
-    ("state", "part"),
-    [
-        ((EDGE, 1, 1), "sliding"),
-        ((EDGE, 1, 1), "ray_plus"),
-        ((-EDGE, -1, -1), "ray_minus"),
-        ((2 * EDGE, 1, 1), "plus"),
-        ((-2 * EDGE, 1, 1), "minus"),
-    ],
-)
-def test_parts_of_the_surface(state, part):
-    condition = getattr(filippov.surface(), part).subs(NUMBERS)
-    for more, holds in ((0, True), (1, False)):
-        assert bool(condition.subs({x1: state[0], v1: state[1] + more, v2: state[2]})) is holds
-
-
 @pytest.mark.parametrize("mode", ["stick", "slip+", "slip-"])
 @REGIMES
 def test_the_exact_solution_leaves_nothing(mode, regime):

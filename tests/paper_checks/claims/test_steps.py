@@ -53,6 +53,18 @@ def test_what_is_not_there_is_not_found(plant):
         velocities.positive_peaks(solved(short))
 
 
+def test_the_threshold_has_fifty_digits():
+    """The share r*, both mass ratios and the angle theta*."""
+    values = " ".join(item.value for item in CHECKS["merging-set"].decide().evidence)
+    for digits in (
+        "0.5578390907215263120660191803836715226398464348069",
+        "0.7926316327286585619957260792416169570660259003587",
+        "1.261620100320081235309400233086105366758358277743",
+        "3.797275743253600858209591026138283661307880652212",
+    ):
+        assert digits in values
+
+
 Y, R = uniform_rate.EXCESS, uniform_rate.SHARE
 ROOT = sp.sqrt(Y)
 
