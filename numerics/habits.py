@@ -59,6 +59,7 @@ u F: scene.force(t) is the force at a time
 color colour title label style: the axes that it returns take that, as ax.set_title(...)
 """
 _INSTEAD = {
+    "to_csv": "it returns text: Path(file).write_text(run.to_csv())",
     "to_dataframe": "only a run's table takes times: run.to_dataframe(times)",
     "solve_many": "solve_scenes takes a list of scenes",
     "Signal": "Force.constant(3), Force.samples(t, u) or Force.sine(amplitude, omega) make a force",

@@ -12,7 +12,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 
 _AFTER, _EVERY, _SILENT, _COMMAND, _WIDTH = 2.0, 0.25, 60.0, 5.0, 20
 """Seconds before the first line on a terminal and between two, before the first one elsewhere, and between two of a
@@ -20,19 +20,17 @@ command; characters of the bar."""
 _ACTIVE = threading.local()
 
 
-class _Line(logging.Handler):
-    """What is shown: it is told, or reads in the log, how far the work is, and writes now and then."""
+class _Line:
+    """What is shown: it is told how far the work is, and writes now and then."""
 
     def __init__(self, what: str, every: float = 0.0) -> None:
-        super().__init__()
         self.what, self.every, self.began, self.fraction = what, every, time.monotonic(), 0.0
         self.is_terminal, self.has_told = sys.stderr.isatty(), False
         self.due = self.began + (_AFTER if self.is_terminal else every or _SILENT)
 
-    def emit(self, record: logging.LogRecord) -> None:
-        """Take a message of a log."""
-        self.what, self.fraction = record.getMessage(), 0.0
-        self.tell()
+    def begin(self, what: str) -> None:
+        """Take the name of the work that begins."""
+        self.what, self.fraction = what, 0.0
 
     def __call__(self, done: int, whole: float) -> None:
         """Take a count and the fraction done (a float), or a count and how many there are (an int)."""
@@ -55,25 +53,46 @@ class _Line(logging.Handler):
         sys.stderr.flush()
 
     @contextmanager
-    def shown(self, ticks: bool) -> Iterator[_Line]:
-        """Show it while some work lasts; with `ticks` also while that tells nothing."""
-        ended, _ACTIVE.line = threading.Event(), self
+    def shown(self) -> Iterator[_Line]:
+        """Show it while some work lasts."""
+        _ACTIVE.line = self
+        try:
+            yield self
+        finally:
+            _ACTIVE.line = None
+            if self.has_told and self.is_terminal:
+                sys.stderr.write("\r\033[K")
+                sys.stderr.flush()
+
+    @contextmanager
+    def ticking(self) -> Iterator[None]:
+        """Count the seconds of work that tells nothing."""
+        ended = threading.Event()
 
         def tick() -> None:
             while not ended.wait(max(self.due - time.monotonic(), _EVERY)):
                 self.tell()
 
-        ticker = threading.Thread(target=tick if ticks else ended.set, daemon=True)
+        ticker = threading.Thread(target=tick, daemon=True)
         ticker.start()
         try:
-            yield self
+            yield
         finally:
             ended.set()
             ticker.join()
-            _ACTIVE.line = None
-            if self.has_told and self.is_terminal:
-                sys.stderr.write("\r\033[K")
-                sys.stderr.flush()
+
+
+class _Messages(logging.Handler):
+    """Messages of a log name the work of a line."""
+
+    def __init__(self, line: _Line) -> None:
+        super().__init__()
+        self.line = line
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Take one."""
+        self.line.begin(record.getMessage())
+        self.line.tell()
 
 
 @contextmanager
@@ -86,12 +105,12 @@ def meter(
     """
     line = getattr(_ACTIVE, "line", None)
     if given is None and line is not None and line.every:  # that of a command
-        line.what, line.fraction = what, 0.0
+        line.begin(what)
         yield line
     elif given is not None or line is not None or sys.stderr is None:
         yield given
     else:
-        with _Line(what).shown(ticks) as line:
+        with _Line(what).shown() as line, line.ticking() if ticks else nullcontext():
             yield line
 
 
@@ -99,10 +118,11 @@ def meter(
 def shown_steps() -> Iterator[Callable[[str], None]]:
     """Show the progress of a command; yields the function that logs a message."""
     log, line = logging.getLogger("numerics"), _Line("computing", _COMMAND)
-    log.addHandler(line)
+    handler = _Messages(line)
+    log.addHandler(handler)
     log.setLevel(logging.INFO)
     try:
-        with line.shown(ticks=True):
+        with line.shown(), line.ticking():
             yield log.info
     finally:
-        log.removeHandler(line)
+        log.removeHandler(handler)

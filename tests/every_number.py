@@ -36,15 +36,15 @@ def _names(text: str) -> set[str]:
 
 
 NO_NUMBERS = _names(
-    """FORMAT ARITHMETICS COLUMNS EVENT_COLUMNS accuracy animate arithmetic bounded but certain check context digits
+    """FORMAT ENERGIES EVENT_COLUMNS accuracy animate arithmetic bounded but certain check context digits
     end_bounds event_kinds event_rows final_mode floats frame has_critical_energy has_frame kept load look_up_times
-    message mode_at modes phase_lost pieces plot reached record restored right_digits save scene signs status success
+    message mode_at modes pieces plot reached record restored right_digits save scene signs status success
     t_eval to_csv to_dataframe tried without_digits"""
 )
 """What says how and with which digits, and what gives the numbers below once more."""
 ROWS = _names(
-    """row_at row_changes row_column row_excess row_excess_at row_flow row_lengths row_mode row_motion
-    row_pieces row_signs row_states row_taken row_times row_values"""
+    """row_at row_changes row_column row_excess row_excess_at row_flow row_lengths row_mode row_pieces
+    row_signs row_states row_taken row_times row_values"""
 )
 """Of what the numbers below are made."""
 NUMBERS = _names(
@@ -79,7 +79,7 @@ def unlisted() -> set[str]:
     """The public attributes of a run and of a batch that stand in no list."""
     of_a_run = {name for name in dir(Trajectory) if name[0] != "_"} | {"arithmetic", "record", "bounded", "scene"}
     of_a_batch = {name for name in dir(Batch) if name[0] != "_" and not name.endswith("_error")}
-    of_a_batch |= {"shape", "ANSWERS"}
+    of_a_batch |= {name for name in Batch.__annotations__ if not name.endswith("_error")} | {"shape"}
     return of_a_run ^ (NO_NUMBERS | ROWS | NUMBERS) | of_a_batch ^ (NO_NUMBERS_OF_A_BATCH | NUMBERS_OF_A_BATCH)
 
 

@@ -126,8 +126,6 @@ def test_help_answers_without_heavy_imports(package):
     assert done.stderr.strip().splitlines()[-1] == "[]"
 
 
-OWN_PRECISION = {"precision.py", "closed_forms.py"}
-"""The lock itself, and intervals of a command, in a context of their own."""
 SET = re.compile(
     r"\.(?:prec|dps|cap)\b[^=()\n]*=(?!=)|\b(?:work|extra)(?:prec|dps)\b|functools import [^.]*cached_property"
 )
@@ -139,7 +137,7 @@ def outside_the_lock(path: Path) -> list[str]:
 
 
 def test_every_precision_is_set_under_one_lock():
-    files = [path for _, path in files_of("numerics") if path.name not in OWN_PRECISION]
+    files = [path for _, path in files_of("numerics") if path.name != "precision.py"]
     assert not {str(path): found for path in files if (found := outside_the_lock(path))}
 
 

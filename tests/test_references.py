@@ -94,7 +94,7 @@ def test_a_mode_that_lasts_too_long_is_none(row, longer):
         late = SimpleNamespace(
             scene=run.scene, row_times=[begin], end_time=end + arb(longer), row_signs=run.row_signs[row:]
         )
-        late.sol = lambda t, side="right": run.row_motion(row).after(max(t - begin, arb(0)))
+        late.sol = lambda t, side="right": run.row_flow([row], [max(t - begin, arb(0))])[:, 0]
         assert any(one.startswith(f"no {'slip' if late.row_signs[0] else 'stick'}") for one in faults(late))
 
 

@@ -111,15 +111,14 @@ def _wrong_on_a_surface(options: argparse.Namespace) -> Iterator[str]:
 
 def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) -> None:
     """Print a trajectory as JSON, as CSV or as a table, with its derivatives if they are wanted."""
-    from numerics.solver.truth import record
-    from numerics.trajectory.export import as_csv, at_times, table
+    from numerics.trajectory.export import as_csv, as_record, at_times, table
 
     if options.times and not options.json:
         print(table(at_times(trajectory)).rstrip("\n"))
     elif options.csv:
-        print(as_csv(record(trajectory)).rstrip("\n"))
+        print(as_csv(as_record(trajectory)).rstrip("\n"))
     elif options.json:
-        found = record(trajectory)
+        found = as_record(trajectory)
         if options.times:
             found["times"] = at_times(trajectory)
         if options.sensitivity:
@@ -139,13 +138,12 @@ def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) ->
 def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
     """Return the events, all or the first and the last, and the final state as lines; no digit is ever cut."""
     from numerics.scene.plane import AXES
-    from numerics.solver.truth import record
-    from numerics.trajectory.export import END_NAMES
+    from numerics.trajectory.export import END_NAMES, as_record
     from numerics.trajectory.units import unit
 
     count = len(trajectory.event_times)
     left_out = 0 if whole else max(0, count - 2 * SHOWN)
-    found = record(trajectory, [*range(SHOWN), *range(count - SHOWN, count)] if left_out else None)
+    found = as_record(trajectory, [*range(SHOWN), *range(count - SHOWN, count)] if left_out else None)
     lines: list[str] = lines_of(found["events"])
     if left_out:
         lines.insert(len(lines) - SHOWN, f"... {left_out} more events; --all prints them")

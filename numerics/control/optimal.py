@@ -275,24 +275,12 @@ class LeastPeak(LeastEnergy):
         place, rest = (peak + beta - c * speed) / k, 2 * (c / (2 * k.sqrt())).asin() / swing
         turn, fast = beta * place + speed * speed / 2, ((c * c + 2 * k * (peak / beta - 1)).sqrt() - c) * beta / k
         x, v, kept = turn / (2 * beta), turn.sqrt(), arb(0)
-        if not v <= fast:
-            if not fast > 0:
-                return None
-            flow, begin = arb_mat([[0, 1], [-k, -c]]), arb_mat([[fast * fast / (2 * beta) - peak / k], [fast]])
-
-            def at(t: arb) -> tuple[arb, arb]:
-                y, v = ((flow * t).exp() * begin).entries()
-                return y + peak / k, v
-
-            low, kept = arb(0), (arb.pi() / swing).mid()
-            for _ in range(flint.ctx.prec):
-                x, v = at(middle := ((low + kept) / 2).mid())
-                goes_on = v * v + 2 * beta * x < 2 * turn and peak - c * v - k * x > -beta
-                low, kept = (middle, kept) if goes_on else (low, middle)
-            x, v = at(kept)
-            if not v * v + 2 * beta * x > 2 * turn * number(1 - LITTLE**2):
-                return None
-        fast = fast.min(v)
+        if v <= fast:
+            fast = v
+        elif (arc := self.arc_at(peak, fast, turn)) is not None:
+            kept, x, v = arc
+        else:
+            return None
         rising, falling = [beta, c * beta, k * beta / 2], [c * v + k * x - beta, k * v - c * beta, -k * beta / 2]
         arcs = (fast / beta, rising, 1), (kept, [peak], 0), ((v - speed) / beta, falling, -1), (rest, [peak], 0)
         start, nothing = (self.T - sum((time for time, *_ in arcs), arb(0))).mid(), arb_poly([])
@@ -305,8 +293,35 @@ class LeastPeak(LeastEnergy):
             start = (start + time).mid()
         return Motion(peak, arb(0), parts, [self.far, arb(0), arb(0), arb(0)], beta)
 
+    def arc_at(self, peak: arb, fast: arb, turn: arb) -> tuple[arb, arb, arb] | None:
+        """Return how long u/M = P is kept after a speed is reached, and x and v then: v^2 + 2 beta x = 2 turn.
+
+        None where a reaches -beta before, or v falls below c beta/k.
+        """
+        if not fast > 0:
+            return None
+        c, k, beta = self.c, self.k, self.limit
+        flow, begin = arb_mat([[0, 1], [-k, -c]]), arb_mat([[fast * fast / (2 * beta) - peak / k], [fast]])
+
+        def at(t: arb) -> tuple[arb, arb]:
+            y, v = ((flow * t).exp() * begin).entries()
+            return y + peak / k, v
+
+        low, high = arb(0), (arb.pi() / (k - c * c / 4).sqrt()).mid()
+        for _ in range(flint.ctx.prec):
+            x, v = at(middle := ((low + high) / 2).mid())
+            goes_on = v * v + 2 * beta * x < 2 * turn and peak - c * v - k * x > -beta
+            low, high = (middle, high) if goes_on else (low, middle)
+        x, v = at(high)
+        is_met = v * v + 2 * beta * x > 2 * turn * number(1 - LITTLE**2) and v > c * beta / k
+        return (high, x, v) if is_met else None
+
     def least_at_end(self, beta: arb) -> arb:
-        """Return the least max u/M at the end of a long time, |a| <= beta; no number if c^2 >= 4 k."""
+        """Return the least max u/M that the end of a long time needs, |a| <= beta; no number if c^2 >= 4 k.
+
+        It is the bound above for w = v exp(c s), s the time since the brakes were off, v the velocity that comes to
+        rest under P, after a bump of w at s = 0 of weight beta/k, as short as one likes: rho is 0 elsewhere.
+        """
         angle = (self.c / (2 * self.k.sqrt())).asin()
         return self.k * self.far - beta * (-2 * angle * angle.tan()).exp()
 

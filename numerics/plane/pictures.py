@@ -17,9 +17,8 @@ from numerics.trajectory.figures import (
     axes_for,
     course,
     draw_path,
-    explain_below,
+    explained,
     film,
-    marks_of,
     together,
 )
 
@@ -52,11 +51,7 @@ def draw(trajectory: Any, kind: str, ax: Any = None) -> Any:
     ax.set(xlabel=label.format("x"), ylabel=label.format("y"))
     ax.set_aspect("equal", "datalim")
     ax.locator_params(nbins=6)
-    marks = marks_of(ax)
-    ax.legend(marks.values(), marks, fontsize="small")
-    if is_new:
-        explain_below(ax.figure)
-    return ax
+    return explained(ax, is_new=is_new)
 
 
 def animate(trajectory: Any, file: str | Path | None, duration: float, frames_per_second: int) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,22 +19,6 @@ from numerics.trajectory.status import Status
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
-
-
-T = TypeVar("T")
-
-
-class _Answer(Generic[T]):
-    """An array of a batch's `_answers` as an attribute; AttributeError where these have no such array."""
-
-    def __set_name__(self, owner: type, name: str) -> None:
-        self.name = name
-
-    def __get__(self, batch: Batch | None, owner: type) -> T:
-        found: Any = self if batch is None else batch._answers.get(self.name)
-        if found is None:
-            raise AttributeError(self.name)
-        return cast(T, found)
 
 
 class Batch(Tabled):
@@ -94,24 +78,24 @@ class Batch(Tabled):
 
     ANSWERS: tuple[str, ...]
     """What can be drawn."""
-    status = _Answer[Counts]()
-    message = _Answer[Array]()
-    events = _Answer[Counts]()
-    mode = _Answer[Array]()
-    t = _Answer[Floats]()
-    y = _Answer[Floats]()
-    y_error = _Answer[Floats]()
-    digits = _Answer[Counts]()
-    certain = _Answer[Array]()
-    energy = _Answer[Floats]()
-    energy_error = _Answer[Floats]()
-    energy_excess = _Answer[Floats]()
-    energy_excess_error = _Answer[Floats]()
-    event_t = _Answer[Floats]()
-    event_y = _Answer[Floats]()
-    event_mode = _Answer[Array]()
-    event_t_error = _Answer[Floats]()
-    event_y_error = _Answer[Floats]()
+    status: Counts
+    message: Array
+    events: Counts
+    mode: Array
+    t: Floats
+    y: Floats
+    y_error: Floats
+    digits: Counts
+    certain: Array
+    energy: Floats
+    energy_error: Floats
+    energy_excess: Floats
+    energy_excess_error: Floats
+    event_t: Floats
+    event_y: Floats
+    event_mode: Array
+    event_t_error: Floats
+    event_y_error: Floats
 
     def __init__(self, shape: tuple[int, ...], runs: object) -> None:
         """Keep what forms `inputs`, `answers` and, on a line, `taken`, and has the NAMES that can be drawn."""
@@ -124,10 +108,16 @@ class Batch(Tabled):
         found: dict[str, Any] = self._runs.answers()
         return found
 
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            """Return an array of answers; AttributeError with the right word where there is none."""
+            known = {} if name.startswith("_") else self._answers
+            return known[name] if name in known else super().__getattr__(name)
+
     def __dir__(self) -> list[str]:
         """Return the names of what this batch has: one on a surface has other answers than one on a line."""
-        missing = {name for name, one in vars(Batch).items() if isinstance(one, _Answer)} - self._answers.keys()
-        return sorted(set(super().__dir__()) - missing)
+        return sorted({*super().__dir__(), *self._answers})
 
     def __repr__(self) -> str:
         """Return a short summary."""

@@ -16,25 +16,21 @@ from numerics.trajectory.units import unit
 def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
     """Draw into matplotlib axes; see Batch.plot."""
     axes, ax = along_of(batch, along), axes_for(answer, batch.ANSWERS, ax, "answer")
-    from matplotlib.ticker import AutoLocator
-
     values = batch.values(answer)
     right, label = np.ravel(batch.success), _label(answer if answer not in STATE else f"{answer} at the end", answer)
-    points, ticks = [np.ravel(one) for one in axes.values()], AutoLocator()
-    ticks.set_params(integer=values.dtype.kind in "iu", min_n_ticks=1)
+    points = [np.ravel(one) for one in axes.values()]
     if len(points) == 1:
         points.append(np.ravel(values))
         order = np.argsort(points[0], kind="stable")
         points, right = [one[order] for one in points], right[order]
         ax.plot(points[0], np.where(right, points[1], np.nan), ".-", color=BLUE, ms=3, lw=0.8)
         ax.set_ylabel(label)
-        ax.yaxis.set_major_locator(ticks)
     else:
         if values.ndim == 2 and {*map(_direction, axes.values())} == {0, 1}:
             found = ax.pcolormesh(*axes.values(), np.where(batch.success, values, np.nan), rasterized=True)
         else:
             found = ax.scatter(*(one[right] for one in points), c=np.ravel(values)[right], s=25, marker="s")
-        ax.figure.colorbar(found, ax=ax, label=label, ticks=ticks)
+        ax.figure.colorbar(found, ax=ax, label=label)
         ax.set_ylabel(_label(list(axes)[1]))
     if not right.all():
         ax.plot(*(one[~right] for one in points), "x", color=ORANGE, ms=4, label="not at the horizon, or not certain")

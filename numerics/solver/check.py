@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from itertools import islice
+from typing import Any
 
 from flint import arb
 
 from numerics.scene.model import require_kind
-from numerics.solver.truth import in_balls
 from numerics.trajectory.checked import Check, Off
-from numerics.trajectory.columns import STATE
 from numerics.trajectory.comparison import as_ball, first_difference
-from numerics.trajectory.export import END_NAMES
+from numerics.trajectory.export import AT_END, END_NAMES, bounds_at, in_balls, numbers_at
 from numerics.trajectory.trajectory import Trajectory
 from numerics.trajectory.units import unit
 
@@ -37,50 +35,36 @@ def check(run: Trajectory) -> Check:
     digits = run.arithmetic.digits + _SPARE_DIGITS
     truth = in_balls(run, digits)
     difference = first_difference(run, truth)
+    worst: dict[str, Off] = {}
     with truth.context():
-        compared, true = (
-            [one for one in _numbers(of) if difference is None or (one.event or math.inf) < difference.event]
-            for of in (run, truth)
-        )
-        pairs = zip(compared, true, strict=True)
-        off = sorted((_off(one, other.value) for one, other in pairs), key=lambda one: (one.within, -one.error))
-    worst = {one.quantity: one for one in reversed(off)}
-    order = dict.fromkeys(one.quantity for one in compared)
-    return Check(run.arithmetic.name, digits, len(run.events), difference, tuple(worst[name] for name in order))
+        places = [*range(len(run.events)), AT_END] if difference is None else range(difference.event - 1)
+        for index in places:
+            for name, value, bound, true in _numbers(run, truth, index):
+                off = _off(name, None if index == AT_END else index + 1, value, bound, true)
+                if name not in worst or (off.within, -off.error) < (worst[name].within, -worst[name].error):
+                    worst[name] = off
+    return Check(run.arithmetic.name, digits, len(run.events), difference, tuple(worst.values()))
 
 
-class _Number(NamedTuple):
-    """A number that a run states, and its bound, if it has one."""
-
-    quantity: str
-    event: int | None
-    value: Any
-    bound: Any
-
-
-def _numbers(run: Trajectory) -> Iterator[_Number]:
-    """Yield every number of a run: times and states of the events, then the end; in the context of a run in balls."""
-    known = run.accuracy if run.bounded and run.certain else None
-    for k, row in enumerate(zip(run.event_times, *run.event_states, strict=True)):
-        bounds = [None] * 5 if known is None else [known.t[k], *known.y[k]]
-        yield from (_Number(name, k + 1, *pair) for name, *pair in zip(("t", *STATE), row, bounds, strict=True))
-    bounds = [None] * 7 if known is None else [*run.end_bounds()[1:], known.dissipated]
-    found, names = run.end_numbers(), (*END_NAMES, "dissipated")
-    end = [*found, *[None] * (len(END_NAMES) - len(found)), run.dissipated]  # without E_cr there is no excess
-    told = zip(names, end, bounds, strict=True)
-    yield from (_Number(name, None, value, bound) for name, value, bound in told if value is not None)
-    ledger = run.ledger
-    for name in ("friction", "viscous", "work", "residual"):
-        yield _Number(name, None, getattr(ledger, name), None)
+def _numbers(run: Trajectory, truth: Trajectory, index: int) -> Iterator[tuple[str, Any, Any, arb]]:
+    """Yield name, number, bound if it has one, and true number, of an event or of the end."""
+    values, true = (numbers_at(one, index) for one in (run, truth))
+    known: Any = run.accuracy if run.bounded and run.certain else None
+    bounds = [None] * len(values) if known is None else bounds_at(run, index)
+    found = zip(("t", *END_NAMES), values, bounds, true, strict=False)
+    yield from found if index != AT_END else islice(found, 1, None)  # the end is at a given time
+    if index == AT_END:
+        yield "dissipated", run.dissipated, None if known is None else known.dissipated, truth.dissipated
+        for name in ("friction", "viscous", "work", "residual"):
+            yield name, getattr(run.ledger, name), None, getattr(truth.ledger, name)
 
 
-def _off(one: _Number, true: arb) -> Off:
+def _off(name: str, event: int | None, value: Any, bound: Any, true: arb) -> Off:
     """Return what a number is off by."""
-    bound = one.value.rad() if isinstance(one.value, arb) else None if one.bound is None else arb(float(one.bound))
-    error = abs(as_ball(one.value).mid() - true)
+    bound = value.rad() if isinstance(value, arb) else None if bound is None else arb(float(bound))
+    error = abs(as_ball(value).mid() - true)
     within = bound is None or not error > bound
-    said = None if bound is None else _above(bound)
-    return Off(one.quantity, unit(one.quantity) or "1", one.event, _above(error), said, within)
+    return Off(name, unit(name) or "1", event, _above(error), None if bound is None else _above(bound), within)
 
 
 def _above(x: arb) -> float:

@@ -12,7 +12,6 @@ from numerics.arithmetic.compiled import compiled
 from numerics.linear.errors_of import errors_of_rows
 from numerics.linear.ledger import TINY
 from numerics.linear.record import AT, BOUNDS, How
-from numerics.solver.inputs import SI
 from numerics.trajectory.columns import STATE, Counts, Floats
 from numerics.trajectory.digits import FEW_DIGITS, ROUNDING
 from numerics.trajectory.rendering import MOST_DIGITS
@@ -26,25 +25,17 @@ class Rows:
     """SI numbers (n, 10) of scenes on a line, rows that the runs wrote (linear/record.py), the shape of all answers.
 
     Rows are of ends, and of start and first events; in these the time counts from the start of the run. `form` writes
-    to the ends what was taken where that is nan, `more` returns other inputs; `walls` says where a wall moves.
+    to the ends what was taken where that is nan, `inputs` returns what varies; `walls` says where a wall moves.
     """
 
+    inputs: Callable[[], dict[str, Any]]
     numbers: Floats
     ends: Floats
     kept: Floats
     shape: tuple[int, ...]
     form: Callable[[Floats], None]
-    more: Callable[[], dict[str, Any]]
     walls: Any
     NAMES: ClassVar = ("dissipated", "energy_excess", "events", "mode", "digits", "t", *STATE)
-
-    def given(self) -> dict[str, Any]:
-        """Return the numbers by their names."""
-        return dict(zip(SI, self.numbers.T.reshape(len(SI), *self.shape), strict=True))
-
-    def inputs(self) -> dict[str, Any]:
-        """Return the numbers by their names, and more that are not among them."""
-        return self.given() | self.more() | self.given()
 
     def taken(self) -> Floats:
         """Return what friction and viscosity took, J, and its bound, (2, *shape)."""
@@ -59,7 +50,7 @@ class Rows:
         """Return the arrays of a batch by their names."""
         ends, kept, shape = self.ends, self.kept, self.shape
         how = ends[:, AT["how"]].astype(np.int64).reshape(shape)
-        out, given = how == How.OUT_OF_RANGE, self.given()
+        out, (m1, m2, a2, b, *_, until, _) = how == How.OUT_OF_RANGE, (one.reshape(shape) for one in self.numbers.T)
 
         def end(*names: str) -> Floats:
             return np.where(out, np.nan, ends.T[[AT[name] for name in names]].reshape(len(names), *shape))
@@ -69,7 +60,7 @@ class Rows:
             return found.reshape(len(names), *shape, kept.shape[1] - 1)
 
         y, certain = end(*STATE), how < How.OUT_OF_RANGE
-        (x1, v1, _, v2), (m1, m2, a2, b) = y, (given[name] for name in SI[:4])
+        x1, v1, _, v2 = y
         with np.errstate(all="ignore"):
             excess_error, worst = np.reshape(compiled(errors_of_rows)(self.numbers, kept, ends, ROUNDING), (2, *shape))
             right = np.clip(np.floor(-np.log10(np.maximum(worst, ROUNDING))), 0, MOST_DIGITS)
@@ -89,7 +80,7 @@ class Rows:
             "message": message,
             "events": whole(end("events")[0]),
             "mode": whole(end("mode")[0]),
-            "t": np.where(how < How.EVENT_LIMIT, given["until"], end("local")[0]),
+            "t": np.where(how < How.EVENT_LIMIT, until, end("local")[0]),
             "y": y,
             "y_error": end(*BOUNDS[1:5]),
             "digits": digits,

@@ -10,7 +10,7 @@ import math
 import reprlib
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from functools import cache, lru_cache, partial
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -26,10 +26,8 @@ from numerics.solver.batch import Batch
 from numerics.solver.inputs import SI, inputs_of, near
 from numerics.solver.line_batch import Rows
 from numerics.solver.rows import Limits, Progress, Work
-from numerics.trajectory.columns import STATE, Floats, room
+from numerics.trajectory.columns import STATE, Array, room
 from numerics.trajectory.run import MAX_EVENTS
-
-_POSITIVE, _FLOATS = ("m1", "m2", "until"), np.finfo(np.float64)
 
 
 def _limits(max_events: int, keep_events: int, jobs: int | None, progress: Progress | None) -> Limits:
@@ -92,20 +90,17 @@ def solve_many(
     ([1, 32], [0, 0], True)
     """
     named = dict(zip(SI, (m1, m2, a2, b, x1, v1, x2, v2, until, a1), strict=True))
-    polynomial, sines = list(listed("polynomial", polynomial)), list(listed("sines", sines))
+    polynomial = list(listed("polynomial", polynomial))
     named |= {f"polynomial[{k}]": one for k, one in enumerate(polynomial)}
-    for k, sine in enumerate(sines):
+    for k, sine in enumerate(listed("sines", sines)):
         if not isinstance(sine, Sequence | np.ndarray) or len(sine) != 3:
             raise InvalidScene(f"sines[{k}] = {shown(sine)} must be a triple; give amplitude, omega, phase")
         named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
-    for name, values in named.items():
-        if np.ma.is_masked(values):
-            raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     if not isinstance(exact, bool | np.bool_):
         raise ValueError(f"exact = {shown(exact)} must be True or False; leave it out for binary numbers")
     law, limits, terms = read_law(law), _limits(max_events, keep_events, jobs, progress), len(polynomial)
     with np.errstate(over="ignore"):  # of long floats; refused as inf
-        arrays = {name: np.asarray(one, object) if exact else _numbers(name, one) for name, one in named.items()}
+        arrays = {name: _numbers(name, one, exact=exact) for name, one in named.items()}
     objects = {
         "force": _all_of("force", Force, force, NO_FORCE),
         "friction": _all_of("friction", Friction, friction, SAME_FRICTION),
@@ -113,14 +108,17 @@ def solve_many(
     shape = _common_shape(arrays | objects)
     flat = room(f"{math.prod(shape)} scenes", math.prod(shape), len(arrays))
     if not exact:
-        _fill(flat.reshape(*shape, len(arrays)), arrays)
+        for column, (name, array) in enumerate(arrays.items()):
+            flat[:, column] = np.broadcast_to(_in_bounds(name, array), shape).ravel()
+    given = [np.broadcast_to(one, shape) for one in (arrays | objects).values()]
+    scene_of = partial(_scene, given, terms, law, bool(exact))
     is_usual = not exact and flat[:, 2:4].all() and np.isfinite(flat[:, 1]).all()
     if not (is_usual and force is None and friction is None):
-        return _one_by_one(_scenes(arrays | objects, shape, terms, law), limits, progress, shape)
-    work = Work(partial(_scene_of_row, flat, terms, law), limits, flat, terms, law is Law.THREE_VALUED_SGN)
+        return _one_by_one([*map(scene_of, range(len(flat)))], limits, progress, shape)
+    work = Work(scene_of, limits, flat, terms, law is Law.THREE_VALUED_SGN)
     kept, ends = work.solved(len(flat), progress)
     numbers = np.ascontiguousarray(flat[:, : len(SI)])
-    return Batch(shape, Rows(numbers, ends, kept, shape, work.form_ledgers, arrays.copy, np.False_))
+    return Batch(shape, Rows(arrays.copy, numbers, ends, kept, shape, work.form_ledgers, np.False_))
 
 
 def solve_scenes(
@@ -158,7 +156,7 @@ def _one_by_one(scenes: Sequence[Scene], limits: Limits, progress: Progress | No
     work = Work(scenes.__getitem__, limits._replace(jobs=1))
     kept, ends = work.solved(len(scenes), progress)
     walls = np.array([bool(one.wall.pieces) for one in scenes], dtype=bool).reshape(shape)
-    return Batch(shape, Rows(numbers, ends, kept, shape, work.form_ledgers, partial(inputs_of, scenes, shape), walls))
+    return Batch(shape, Rows(partial(inputs_of, scenes, shape), numbers, ends, kept, shape, work.form_ledgers, walls))
 
 
 def _of_one_kind(given: Any) -> Any:
@@ -182,25 +180,17 @@ _pair = lru_cache(maxsize=1000)(Pair)
 """Which most scenes of a batch share."""
 
 
-def _scene(
-    numbers: Sequence[Any],
-    terms: int,
-    law: Law,
-    force: Any = NO_FORCE,
-    friction: Any = SAME_FRICTION,
-) -> Scene:
-    """Return the scene of its SI numbers, the coefficients of a polynomial, the numbers of sines, and what acts too."""
+def _scene(given: Sequence[Any], terms: int, law: Law, exact: bool, row: int) -> Scene:
+    """Return the scene of a row of SI numbers, coefficients of a polynomial, numbers of sines, force and friction."""
+    *numbers, force, friction = (one.flat[row] for one in given)
+    if not exact:
+        numbers = [Fraction(one) if math.isfinite(one) else one for one in numbers]
     m1, m2, a2, b, x1, v1, x2, v2, until, a1, *rest = numbers
     waves = [Sine(*rest[k : k + 3]) for k in range(terms, len(rest), 3)]
     if any(rest[:terms]) or any(s.amplitude for s in waves):
         own = Force((Piece(0, rest[:terms], waves),))
         force = own if force is NO_FORCE else own + force
     return Scene(_pair(m1, m2, a2, b, a1), State(x1, v1, x2, v2), until, law, force, friction)
-
-
-def _scene_of_row(flat: Floats, terms: int, law: Law, row: int) -> Scene:
-    """Return the scene of a row of binary numbers."""
-    return _scene([Fraction(one) for one in flat[row].tolist()], terms, law)
 
 
 def _all_of(name: str, kind: type, given: Any, none: Any) -> Any:
@@ -210,14 +200,6 @@ def _all_of(name: str, kind: type, given: Any, none: Any) -> Any:
         how = "a Friction([(start, b)])" if kind is Friction else "Force.constant(3), Force.sine(amplitude, omega)"
         raise InvalidScene(f"{name} holds {shown(wrong[0])}; give {how}, or a list of them")
     return array
-
-
-def _scenes(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, law: Law) -> list[Scene]:
-    """Return the scenes of arrays of exact numbers, or of binary ones with forces of any kind."""
-    exactly = np.vectorize(lambda x: Fraction(x) if math.isfinite(x) else x, otypes=[object])
-    each = (one if one.dtype == object else exactly(one) for one in arrays.values())
-    rows = zip(*(np.broadcast_to(one, shape).ravel() for one in each), strict=True)
-    return [_scene(row[:-2], terms, law, *row[-2:]) for row in rows]
 
 
 def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:
@@ -230,8 +212,12 @@ def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:
         raise ValueError(f"these shapes do not broadcast together: {given}; give arrays of one shape") from None
 
 
-def _numbers(name: str, values: Any) -> Floats:
-    """Return values as an array of binary64 numbers."""
+def _numbers(name: str, values: Any, *, exact: bool) -> Array:
+    """Return values as an array of binary64 numbers; exact ones as they are."""
+    if np.ma.is_masked(values):
+        raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
+    if exact:
+        return np.asarray(values, object)
     try:
         given = np.asarray(values)
         if given.dtype.kind in "OU":  # texts are read as in a scene
@@ -248,24 +234,16 @@ def _numbers(name: str, values: Any) -> Floats:
     )
 
 
-@cache
-def _least(name: str) -> float:
-    """Return the least number that a quantity may be."""
-    if name in _POSITIVE or name.endswith(".omega"):
-        return float(_FLOATS.smallest_subnormal)
-    return 0.0 if name in {"a1", "a2", "b"} else float(_FLOATS.min)
-
-
-def _fill(wide: Floats, arrays: dict[str, Floats]) -> None:
-    """Write arrays that broadcast to the last axis, one after another.
-
-    Raises InvalidScene, naming the first number that is out of bounds.
-    """
-    for column, (name, array) in enumerate(arrays.items()):
-        wide[..., column] = array
-        wrong = ~((array >= _least(name)) & ((array < np.inf) | (name == "m2")))
-        if wrong.any():
-            first = tuple(int(i) for i in np.argwhere(wrong)[0])
-            place = f"{name}{list(first) if first else ''} = {array[first]:g}"
-            bound = "" if _least(name) < 0 else ">= 0 and " if _least(name) == 0 else "> 0 and "
-            raise InvalidScene(f"{place} must be {bound}finite; correct it, or leave that scene out")
+def _in_bounds(name: str, array: Array) -> Array:
+    """Return an array as it is. Raises InvalidScene, naming the first number that is out of bounds."""
+    least, bound = -np.inf, ""
+    if name in {"m1", "m2", "until"} or name.endswith(".omega"):
+        least, bound = 0.0, "> 0 and "
+    elif name in {"a1", "a2", "b"}:
+        least, bound = -5e-324, ">= 0 and "
+    wrong = ~((array > least) & ((array < np.inf) | (name == "m2")))
+    if wrong.any():
+        first = tuple(np.argwhere(wrong)[0].tolist())
+        place = f"{name}{list(first) if first else ''} = {array[first]:g}"
+        raise InvalidScene(f"{place} must be {bound}finite; correct it, or leave that scene out")
+    return array

@@ -28,10 +28,8 @@ if TYPE_CHECKING:
 
 ArithmeticName = Literal["float64", "mpmath", "ball"]
 MAX_DIGITS = 20_000
-_SPARE_DIGITS = 4
-"""Digits that balls get beyond what a run before has shown that the scene costs."""
-_HAS, _WORTH_A_TRY = 16, 15
-"""Digits that float64 has before a run; right digits up to which it is tried."""
+_WORTH_A_TRY = 15
+"""Right digits up to which float64 is tried."""
 _MOST_IN_BALLS = 10_000
 """With more events what float64 has stands, also without digits: balls would take minutes."""
 _FLOAT64 = Float64()
@@ -153,7 +151,7 @@ def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Li
     if arithmetic == "float64":
         return limits.run(scene, _FLOAT64)
     if arithmetic == "ball":
-        return _solve_to_digits(scene, digits or 15, SPARE_DIGITS, limits)
+        return _solve_to_digits(scene, digits or 15, limits)
     working = (digits or 30) + SPARE_DIGITS
     if working > limits.digits:
         raise exhausted(working - SPARE_DIGITS, limits.digits)
@@ -199,32 +197,25 @@ def _ladder(limits: _Limits) -> Iterator[Arithmetic]:
 
 
 def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
-    """Return a trajectory in float64, if its error bounds leave enough digits, else a proved one.
-
-    What float64 has lost of its digits is also what balls will lose.
-    """
-    tried, guard = "", SPARE_DIGITS
+    """Return a trajectory in float64, if its error bounds leave enough digits, else a proved one."""
+    tried = ""
     if digits <= _WORTH_A_TRY:
         try:
             found = limits.run(scene, _FLOAT64)
+            tried = f"float64 has {found.right_digits} right digits by its error bounds"
+            if found.right_digits >= digits:
+                return found.but(digits=digits, tried=tried)
         except (EventUndecided, OutOfRange) as error:
-            tried = f"float64 cannot: {error}; "
-        else:
-            reached = found.right_digits
-            if reached >= digits:
-                return found.but(digits=digits, tried=f"float64 has {reached} right digits by its error bounds")
-            if reached:
-                guard = _HAS + _SPARE_DIGITS - reached
-            tried = f"float64 has {reached} right digits by its error bounds; "
-    balls = _solve_to_digits(scene, digits, guard, limits)
-    return balls.but(tried=f"{tried}{digits} are asked for")
+            tried = f"float64 cannot: {error}"
+        tried += "; "
+    return _solve_to_digits(scene, digits, limits).but(tried=f"{tried}{digits} are asked for")
 
 
-def _solve_to_digits(scene: Scene, digits: int, guard: int, limits: _Limits) -> Trajectory:
+def _solve_to_digits(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
     """Raise the working precision until `digits` digits are right; the digits lost in one try are added in the next."""
 
     def attempt(arithmetic: Ball) -> tuple[Trajectory, int]:
         found = limits.run(scene, arithmetic)
         return found, proved_digits(found)
 
-    return to_digits(attempt, digits, limits.digits, guard).but(digits=digits)
+    return to_digits(attempt, digits, limits.digits).but(digits=digits)

@@ -38,10 +38,8 @@ class Answer(Helpful):
 
     FORMAT: ClassVar[str]
     """How the header of a file begins."""
-    ARITHMETICS: ClassVar[tuple[str, ...]]
-    """Those that solve such a scene."""
-    COLUMNS: ClassVar[tuple[str, ...]]
-    """What an archive of plain arrays has of numbers at `t`."""
+    ENERGIES: ClassVar[tuple[str, ...]]
+    """Those that a table has."""
     EVENT_COLUMNS: ClassVar[tuple[str, ...]] = ()
     """What an event has besides its time, its modes and its state."""
     scene: Scene | PlaneScene
@@ -117,19 +115,13 @@ class Answer(Helpful):
         count, at, until = len(run.event_times), float(run.floats(run.end_time)), short(run.scene.until)
         return f"stopped at max_events = {count}, t = {at:g} s of {until} s; raise it, or shorten until"
 
-    def to_csv(self, truth: Answer | None = None) -> str:
+    def to_csv(self) -> str:
         """Return events and final state as CSV text, with units.
 
-        Numbers have the digits that are right. Those of mpmath do not know them: `truth`, the same scene solved in
-        balls, does. Raises ValueError without it, SequenceDiffers if the events are not the true ones.
+        Numbers have the digits that are right; of a run that does not know them, as in mpmath, the scene is solved in
+        balls. Raises SequenceDiffers if the events are not the true ones.
         """
-        given: object = truth
-        if not isinstance(given, Answer | None):
-            shown = str(given)[:100]
-            raise TypeError(
-                f"truth = {shown!r} is no run; to_csv returns text: Path({shown!r}).write_text(run.to_csv())"
-            )
-        return export.as_csv(export.as_record(self, truth))
+        return export.as_csv(export.as_record(self))
 
     def to_dataframe(self, times: Times | None = None) -> DataFrame:
         """Return t, mode, the state and energies as a pandas DataFrame, in binary64. Raises MissingTool, ValueError.

@@ -2,35 +2,40 @@
 
 A spell of force and friction lasts from one change of either to the next. Of a force of polynomials and sines one
 answer of a mass on spring and damper is a polynomial and sines again (undetermined coefficients). Motions are formed
-over intervals of mpmath, in SI units and in time u (s) since the phase began. A sign k = +1 or -1 is that of v1 - v2 in
-a slip, and that of the slip which follows a stick.
+in balls, in SI units and in time u (s) since the phase began. A sign k = +1 or -1 is that of v1 - v2 in a slip, and
+that of the slip which follows a stick.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from mpmath.ctx_iv import MPIntervalContext
+import flint
+from flint import arb, arb_poly
 
+from numerics.arithmetic.ball import Ball, exact_middle, widened
+from numerics.arithmetic.precision import precision
 from numerics.linear.modes import Mode
 from numerics.linear.pieces import particular, pieces_of
 from numerics.scene import Pair, Scene
 
-INTERVALS = MPIntervalContext()
-"""In which all of it is formed; its precision is that of the file which is written."""
-SHORT = 2.0**-11
-"""How long an interval is at most whose sine the kernel bounds by its middle and its slope."""
-SIGN_BITS = (20, 28, 44, 60, 92, 124)
-"""In what precisions it is tried to see that nothing happens in a phase; the kernel takes `SPARE_SIGN_BITS` more."""
 SPARE_SIGN_BITS = 4
+"""With how many bits more than the writer the kernel sees that nothing happens in a phase."""
+SHORT = 2.0**-12
+"""Half the length of an interval whose sine the kernel bounds by its middle and its slope."""
 DEPTH = 60
 """How often an interval is halved for that."""
 PARTS = 1000
 """Into how many parts a phase is cut at most for that: a file has to be judged in minutes."""
+SPARE = 1.25
+"""Bounds of an event are wider than a box says: the kernel rounds elsewhere."""
+_NEWTON = 60
+_NONE = arb_poly([])
+number = Ball.number
 
 
 class TooCoarse(Exception):
@@ -51,51 +56,68 @@ class Tone(NamedTuple):
     turn: Fraction
     phase: Fraction
 
-    def slope(self) -> Tone:
-        """Return the derivative."""
-        steady = self.rise_sine - self.in_cosine * self.turn, self.rise_cosine + self.in_sine * self.turn
-        return Tone(*steady, -self.rise_cosine * self.turn, self.rise_sine * self.turn, self.turn, self.phase)
-
 
 class Steady(NamedTuple):
     """A polynomial of t - since (s), by its coefficients from the constant on, plus tones of t; exact."""
 
     since: Fraction
-    polynomial: tuple[Fraction, ...] = ()
-    tones: tuple[Tone, ...] = ()
+    polynomial: tuple[Fraction, ...]
+    tones: tuple[Tone, ...]
 
-    def __call__(self, t: Any) -> Any:
-        """Return the value at t."""
-        value, after = INTERVALS.mpf(0), t - number(self.since)
-        for coefficient in reversed(self.polynomial):
-            value = number(coefficient) + after * value
-        for tone in self.tones:
-            in_sine, in_cosine, rise_sine, rise_cosine, turn, phase = map(number, tone)
-            sine, cosine = sine_cosine(turn * t + phase)
-            value += (in_sine + rise_sine * t) * sine
-            value += (in_cosine + rise_cosine * t) * cosine
-        return value
+    def wave(self, t: arb) -> Wave:
+        """Return it as a wave from a time on."""
+        parts = [Part(_polynomial(*self.polynomial), clock=t - number(self.since))]
+        for in_sine, in_cosine, rise_sine, rise_cosine, turn, phase in self.tones:
+            sine, cosine = _polynomial(in_sine, rise_sine), _polynomial(in_cosine, rise_cosine)
+            parts.append(Part(cosine, sine, number(turn), number(phase), clock=t))
+        return Wave(parts)
 
-    def slope(self) -> Steady:
+
+class Part(NamedTuple):
+    """exp(-decay s) (cosine(s) cos(turn s + phase) + sine(s) sin(turn s + phase)), s = clock + u."""
+
+    cosine: arb_poly
+    sine: arb_poly = _NONE
+    turn: arb = arb(0)
+    phase: arb = arb(0)
+    decay: arb = arb(0)
+    clock: arb = arb(0)
+
+    def __call__(self, u: arb) -> arb:
+        """Return the value at u."""
+        s = self.clock + u
+        angle = self.turn * s + self.phase
+        sine, cosine = angle.sin_cos()
+        if angle.rad() < SHORT:  # as the kernel does
+            sine, cosine = (widened(one, angle.rad()) for one in angle.mid().sin_cos())
+        return (-self.decay * s).exp() * (self.cosine(s) * cosine + self.sine(s) * sine)
+
+    def slope(self) -> Part:
         """Return the derivative."""
-        slope = tuple(k * one for k, one in enumerate(self.polynomial))[1:]
-        return Steady(self.since, slope, tuple(tone.slope() for tone in self.tones))
+        cosine = self.cosine.derivative() - self.decay * self.cosine + self.turn * self.sine
+        sine = self.sine.derivative() - self.decay * self.sine - self.turn * self.cosine
+        return self._replace(cosine=cosine, sine=sine)
 
 
-def number(one: Fraction) -> Any:
-    """Return the interval of an exact number."""
-    return INTERVALS.mpf(one.numerator) / INTERVALS.mpf(one.denominator)
+class Wave(list[Part]):
+    """A sum of parts."""
+
+    def __call__(self, u: arb) -> arb:
+        """Return the value at u."""
+        return sum((one(u) for one in self), arb(0))
+
+    def slope(self) -> Wave:
+        """Return the derivative."""
+        return Wave(one.slope() for one in self)
+
+    def plus(self, k: int, *polynomial: arb) -> Wave:
+        """Return a polynomial plus k times the wave."""
+        signed = (one._replace(cosine=k * one.cosine, sine=k * one.sine) for one in self)
+        return Wave([Part(arb_poly([*polynomial])), *signed])
 
 
-def hull(low: Fraction, high: Fraction) -> Any:
-    """Return the interval from one number to another."""
-    return INTERVALS.mpf([number(low).a, number(high).b])
-
-
-def sine_cosine(angle: Any) -> Any:
-    """Yield sine and cosine over an interval, a short one by its middle and its slope, as the kernel does."""
-    for function in (INTERVALS.sin, INTERVALS.cos):
-        yield function(angle) if angle.delta > SHORT else function(angle.mid) + (angle - angle.mid)
+def _polynomial(*coefficients: Fraction) -> arb_poly:
+    return arb_poly([number(one) for one in coefficients])
 
 
 class Spell(NamedTuple):
@@ -131,240 +153,117 @@ def _answer(pair: Pair, mass: Fraction, force: Steady) -> Steady:
     return Steady(force.since, tuple(particular(force.polynomial, mass, pair.a1, pair.a2)), tuple(tones))
 
 
-Value = Any
-"""An interval of mpmath."""
+def _swing(pair: Pair, mass: Fraction, x: arb, v: arb) -> Iterator[Part]:
+    """Yield the parts of a free swing of a mass; whether damping is below its critical value is decided exactly."""
+    slow = pair.a1 / (2 * mass)
+    square = pair.a2 / mass - slow**2
+    decay, root = number(slow), number(abs(square)).sqrt()
+    odd = v + decay * x
+    if square > 0:
+        yield Part(arb_poly([x]), arb_poly([odd / root]), root, decay=decay)
+    elif square == 0:
+        yield Part(arb_poly([x, odd]), decay=decay)
+    else:
+        for k in (1, -1):
+            yield Part(arb_poly([(x + k * odd / root) / 2]), decay=decay - k * root)
 
 
-class StateForms(NamedTuple):
+class Box(NamedTuple):
     """Time (s), place (m) and velocity (m/s) of body 1, the same of body 2."""
 
-    t: Value
-    x1: Value
-    v1: Value
-    x2: Value
-    v2: Value
-
-
-class Swing(NamedTuple):
-    """A free swing of one mass: its decay (1/s), the square of its frequency (1/s^2), the sign of that, its root."""
-
-    decay: Value
-    square: Value
-    side: int
-    root: Value
-
-
-class Wave(NamedTuple):
-    """u -> still + drift u + sign (exp(-decay u) (even C(u) + odd S(u)) + answer(clock + u)).
-
-    C'' = -square C and S' = C.
-    """
-
-    still: Value
-    drift: Value
-    even: Value
-    odd: Value
-    swing: Swing
-    clock: Value
-    answer: Steady
-    sign: int = 1
-
-    def __call__(self, u: Value) -> Value:
-        """Return the value at u."""
-        exp, (decay, _, side, root) = INTERVALS.exp, self.swing
-        if side > 0:
-            sine, cosine = sine_cosine(root * u)
-            swung = exp(-(decay * u)) * (self.even * cosine + self.odd * (sine / root))
-        elif side == 0:
-            swung = exp(-(decay * u)) * (self.even + self.odd * u)
-        else:
-            other = self.odd / root
-            swung = (self.even + other) / 2 * exp(-((decay - root) * u))
-            swung += (self.even - other) / 2 * exp(-((decay + root) * u))
-        return self.still + self.drift * u + self.sign * swung + self.sign * self.answer(self.clock + u)
-
-    def slope(self) -> Wave:
-        """Return the derivative, a wave."""
-        decay, square = self.swing.decay, self.swing.square
-        even, odd = self.odd - decay * self.even, -(square * self.even) - decay * self.odd
-        still, drift, answer = self.drift, 0 * self.drift, self.answer.slope()
-        return self._replace(still=still, drift=drift, even=even, odd=odd, answer=answer)
-
-
-class Forms:
-    """What a pair does in one spell of force and friction after another."""
-
-    def __init__(self, pair: Pair, most: int) -> None:
-        """Compute with so many bits at most."""
-        self.sign_bits, self.parts = SIGN_BITS[0], PARTS
-        self.pair, self.bits, INTERVALS.prec = pair, most, most
-
-    def begin(self, spell: Spell) -> None:
-        """Read the exact parameters of a spell; whether damping is below its critical value is decided exactly."""
-        pair, self.spell = self.pair, spell
-        self.a1, self.a2, self.b, self.mass = map(number, (pair.a1, pair.a2, spell.friction, pair.mass))
-        self.gained = number(spell.friction / pair.m2)
-        self.edge_load = number(spell.friction * pair.mass / pair.m2)
-        self.alone, self.together = (self._swing(mass) for mass in (pair.m1, pair.mass))
-
-    def _swing(self, mass: Fraction) -> Swing:
-        decay = self.pair.a1 / (2 * mass)
-        square = self.pair.a2 / mass - decay * decay
-        root = INTERVALS.sqrt(number(abs(square)))
-        return Swing(number(decay), number(square), (square > 0) - (square < 0), root)
-
-    def path(self, mode: Mode, at: StateForms) -> Wave:
-        """Return body 1's place from a state on, m."""
-        swing, answer = (self.alone, self.spell.alone) if mode.sign else (self.together, self.spell.together)
-        centre = -mode.sign * self.b / self.a2
-        away = at.x1 - centre - answer(at.t)
-        odd = at.v1 - answer.slope()(at.t) + swing.decay * away
-        return Wave(centre, INTERVALS.mpf(0), away, odd, swing, at.t, answer)
-
-    def moved(self, mode: Mode, at: StateForms, u: Value, ends: int = 0) -> StateForms:
-        """Return the state a time later; where a mode ends, a stick towards `ends`, both velocities are equal."""
-        t, path = at.t + u, self.path(mode, at)
-        x1, v1 = path(u), path.slope()(u)
-        if mode is Mode.STICK:
-            edge = (self.spell.force(t) - ends * self.edge_load - self.a1 * v1) / self.a2 if ends else x1
-            return StateForms(t, edge, v1, at.x2 + (x1 - at.x1), v1)
-        v2 = at.v2 + mode.sign * self.gained * u
-        return StateForms(t, x1, v2 if ends else v1, at.x2 + (at.v2 + v2) / 2 * u, v2)
-
-    def guard(self, mode: Mode, k: int, at: StateForms) -> Wave:
-        """Return what is positive until a mode ends: k (v1 - v2) of a slip, m/s; m/s^2 that friction has left for k."""
-        slope = self.path(mode, at).slope()
-        if mode is Mode.STICK:
-            return slope.slope()._replace(still=self.gained, sign=-k)
-        return slope._replace(still=-(k * at.v2), drift=-self.gained, sign=k)
-
-    def spare(self, at: StateForms) -> Value:
-        """Return what no stick under a constant force uses up from a state on, N^2: for ever, if it is not negative."""
-        away = self.a2 * at.x1 - self.spell.force(at.t)
-        reach = (away**2 / self.a2 + self.mass * at.v1**2) * (self.a2 + self.a1**2 / self.mass)
-        return self.edge_load**2 - reach
-
-    def narrow(self, bits: int) -> None:
-        """Compute with no more bits than these."""
-        self.bits = INTERVALS.prec = min(self.bits, bits)
-
-    def keeps(self, wave: Wave, zeros: int, end: Fraction) -> None:
-        """See that a wave is positive after 0 until an end, as the kernel does; it and its slope may be zero at 0.
-
-        Raises Unseen.
-        """
-        before = self.sign_bits
-        for self.sign_bits in (one for one in SIGN_BITS if one >= before):
-            INTERVALS.prec, self.parts = self.sign_bits, PARTS
-            waves = wave, wave.slope(), wave.slope().slope()
-            begins = Fraction(0) if not zeros else self._early(waves[zeros], end / 2)
-            seen = begins is not None and (not begins or wave(number(begins)) > 0)
-            seen = seen and self._stays(waves, begins or Fraction(0), end, DEPTH)
-            INTERVALS.prec = self.bits
-            if seen and (zeros or wave(number(Fraction(0))) > 0):
-                return
-        self.sign_bits = before
-        raise Unseen
-
-    def _early(self, wave: Wave, end: Fraction) -> Fraction | None:
-        """Return a time until which a wave is positive by its bounds."""
-        for _ in range(DEPTH):
-            if wave(hull(Fraction(0), end)) > 0:
-                return end
-            end /= 2
-        return None
-
-    def _stays(self, waves: tuple[Wave, Wave, Wave], low: Fraction, high: Fraction, depth: int) -> bool:
-        """Whether a wave that is positive at both ends is seen to be so between: by bounds, slope, bend or halves."""
-        between, middle = hull(low, high), (low + high) / 2
-        self.parts -= 1
-        if waves[0](between) > 0:
-            return True
-        slope = waves[1](between)
-        bend = waves[2](between)
-        if slope >= 0 or slope <= 0 or bend <= 0 or (bend >= 0 and waves[1](number(low)) >= 0):
-            return True
-        if not depth or self.parts <= 0 or not waves[0](number(middle)) > 0:
-            return False
-        return all(self._stays(waves, *part, depth - 1) for part in ((low, middle), (middle, high)))
+    t: arb
+    x1: arb
+    v1: arb
+    x2: arb
+    v2: arb
 
 
 @dataclass
 class TheoremRun:
     """Where a motion surely is: in a box, in contact or not; with k at the edge at which a stick has ended."""
 
-    forms: Forms
-    at: StateForms
+    pair: Pair
+    spell: Spell
+    signs: int
+    """In how many bits it is seen that nothing happens in a phase."""
+    at: Box
     touches: bool
     k: int = 0
 
-    @classmethod
-    def start(cls, forms: Forms, numbers: tuple[Fraction, ...], k: int = 0) -> TheoremRun:
-        """Return the run from an exact state, t, x1, v1, x2, v2; with k at the edge towards a slip of that sign."""
-        return cls(forms, StateForms(*map(number, numbers)), numbers[2] == numbers[4], k)
+    def start(self, *numbers: Fraction) -> TheoremRun:
+        """Return the run from an exact state, t, x1, v1, x2, v2."""
+        return replace(self, at=Box(*map(number, numbers)), touches=numbers[2] == numbers[4], k=0)
 
     @property
     def time(self) -> float:
         """Return about when it is there, s."""
-        return float(self.at.t.mid)
+        return float(self.at.t.mid())
 
-    def _keeps(self, mode: Mode, k: int, wave: Wave, end: Fraction) -> None:
-        """See that what is positive in a mode is so until an end."""
-        at_edge = self.k == k
-        self.forms.keeps(wave, at_edge if mode is Mode.STICK else self.touches * (1 + at_edge), end)
+    def path(self, mode: Mode) -> Wave:
+        """Return body 1's place, m."""
+        pair, spell, at = self.pair, self.spell, self.at
+        mass, answer = (pair.m1, spell.alone) if mode.sign else (pair.mass, spell.together)
+        wave, centre = answer.wave(at.t), number(-mode.sign * spell.friction / pair.a2)
+        away = at.x1 - centre - wave(arb(0))
+        return Wave([*wave, *_swing(pair, mass, away, at.v1 - wave.slope()(arb(0)))]).plus(1, centre)
 
     def guard(self, mode: Mode, k: int) -> Wave:
-        """Return what is positive until a phase ends."""
-        return self.forms.guard(mode, k, self.at)
+        """Return what is positive until a mode ends: k (v1 - v2) of a slip, m/s; m/s^2 that friction has left for k."""
+        slope, gained = self.path(mode).slope(), number(self.spell.friction / self.pair.m2)
+        if mode is Mode.STICK:
+            return slope.slope().plus(-k, gained)
+        return slope.plus(k, -k * self.at.v2, -gained)
 
-    def hit(self, mode: Mode, k: int, time: float, places: int) -> tuple[Fraction, Fraction]:
-        """Go to the next event, near the time; return bounds of the time since, to so many places, or TooCoarse."""
+    def moved(self, mode: Mode, u: arb, ends: int = 0) -> Box:
+        """Return the state a time later; where a mode ends, a stick towards `ends`, both velocities are equal."""
+        pair, spell, at, path = self.pair, self.spell, self.at, self.path(mode)
+        t, x1, v1 = at.t + u, path(u), path.slope()(u)
+        if mode is Mode.STICK:
+            load = spell.force.wave(t)(arb(0)) - number(ends * spell.friction * pair.mass / pair.m2)
+            edge = (load - number(pair.a1) * v1) / number(pair.a2) if ends else x1
+            return Box(t, edge, v1, at.x2 + (x1 - at.x1), v1)
+        v2 = at.v2 + number(mode.sign * spell.friction / pair.m2) * u
+        return Box(t, x1, v2 if ends else v1, at.x2 + (at.v2 + v2) / 2 * u, v2)
+
+    def hit(self, mode: Mode, k: int, time: float) -> tuple[Fraction, Fraction]:
+        """Go to the next event, near the time; return bounds of the time since. Raises TooCoarse."""
         guard = self.guard(mode, k)
         if mode is not Mode.STICK and self.k not in (0, k):
             raise Unseen
-        low, high = self._bracket(time - self.time, places, guard)
-        self._keeps(mode, k, guard, low)
+        low, high = _bracket(time - self.time, guard)
+        keeps(guard, self._zeros(mode, k), low, self.signs)
         if mode is Mode.STICK:
-            self._keeps(mode, -k, self.guard(mode, -k), high)
-        self.at = self.forms.moved(mode, self.at, hull(low, high), ends=k)
+            keeps(self.guard(mode, -k), self._zeros(mode, -k), high, self.signs)
+        self.at = self.moved(mode, number(low).union(number(high)), k)
         self.touches, self.k = True, k if mode is Mode.STICK else 0
         return low, high
 
-    def rest(self, mode: Mode, time: Fraction) -> tuple[Fraction, Value]:
+    def rest(self, mode: Mode, time: Fraction) -> tuple[Fraction, arb]:
         """Go on in a mode to a time; return for how long it surely lasts, and v1 - v2 then. Raises TooCoarse."""
         left = number(time) - self.at.t
         if not left > 0:  # the last event may be at the end
             raise TooCoarse
-        least = outward(left, int(self.forms.bits * 0.3))[1]
+        least = outward(left, _places(left))[1]
         guards = {k: self.guard(mode, k) for k in ends_of(mode)}
         if not all(guard(number(least)) > 0 for guard in guards.values()):
             raise TooCoarse
         for k, guard in guards.items():
-            self._keeps(mode, k, guard, least)
+            keeps(guard, self._zeros(mode, k), least, self.signs)
         relative = mode.sign * guards[mode.sign or 1](left)
-        self.at = self.forms.moved(mode, self.at, left)._replace(t=number(time))
+        self.at = self.moved(mode, left)._replace(t=number(time))
         self.touches, self.k = mode is Mode.STICK, 0
         return least, relative
 
-    def _bracket(self, guess: float, shown: int, guard: Wave) -> tuple[Fraction, Fraction]:
-        """Return decimals around the root of a falling wave, sure for every state of the box."""
-        slope, root = guard.slope(), Fraction(guess)
-        places = int(self.forms.bits * 0.301) - math.floor(math.log10(guess))
-        for _ in range(60):
-            value = guard(number(root))
-            root -= sum(outward(value.mid / slope(number(root)).mid, places), Fraction(0)) / 2
-            if 0 in value:
-                break
-        unit, steps = Fraction(10) ** -places, 1
-        centre = round(root / unit)
-        while True:
-            low, high = ((centre + by) * unit for by in (-steps, steps))
-            spare = (steps + 7) // 8 * unit  # the kernel's bounds are not these to the last bit
-            if low <= spare or steps * unit > Fraction(10) ** -shown:
-                raise TooCoarse
-            if guard(number(low)) > 0 and guard(number(high)) < 0:
-                return low - spare, high + spare
-            steps += (steps + 3) // 4
+    def is_kept(self, u: arb) -> bool:
+        """Return whether a stick under a constant force does not end from a time on: its energy is too small for it."""
+        pair, spell, at = self.pair, self.spell, self.moved(Mode.STICK, u)
+        away = number(pair.a2) * at.x1 - spell.force.wave(at.t)(arb(0))
+        reach = (away**2 / number(pair.a2) + number(pair.mass) * at.v1**2) * number(pair.a2 + pair.a1**2 / pair.mass)
+        return bool(number(spell.friction * pair.mass / pair.m2) ** 2 > reach)
+
+    def _zeros(self, mode: Mode, k: int) -> int:
+        """Return how many derivatives of what is positive in a mode are zero at first."""
+        return int(self.k == k) if mode is Mode.STICK else self.touches * (1 + (self.k == k))
 
 
 def ends_of(mode: Mode) -> tuple[int, ...]:
@@ -372,8 +271,69 @@ def ends_of(mode: Mode) -> tuple[int, ...]:
     return (mode.sign,) if mode.sign else (1, -1)
 
 
-def outward(box: Any, places: int) -> tuple[Fraction, Fraction]:
-    """Return decimals with so many places around an interval."""
-    low, high = (Fraction((-1) ** sign * int(man)) * Fraction(2) ** exponent for sign, man, exponent, _ in box._mpi_)
+def keeps(wave: Wave, zeros: int, end: Fraction, bits: int) -> None:
+    """See that a wave is positive after 0 until an end, as the kernel does; so many derivatives may be zero at 0.
+
+    By its bounds over a part, its slope or bend there, or both halves. Raises Unseen.
+    """
+    if not zeros and not wave(arb(0)) > 0:
+        raise Unseen
+    with precision(bits):
+        slope = wave.slope()
+        bend, begin = slope.slope(), Fraction(0)
+        if zeros:
+            begin = _early((wave, slope, bend)[zeros], end / 2)
+        if begin and not wave(number(begin)) > 0:
+            raise Unseen
+        parts = [(begin, end)]
+        for _ in range(PARTS):
+            if not parts:
+                return
+            low, high = parts.pop()
+            between, middle = number(low).union(number(high)), (low + high) / 2
+            if wave(between) > 0:
+                continue
+            steep, bent = slope(between), bend(between)
+            if steep >= 0 or steep <= 0 or bent <= 0 or (bent >= 0 and slope(number(low)) >= 0):
+                continue
+            if (high - low) * 2**DEPTH < end or not wave(number(middle)) > 0:
+                break
+            parts += (middle, high), (low, middle)
+    raise Unseen
+
+
+def _early(wave: Wave, end: Fraction) -> Fraction:
+    """Return a time until which a wave is positive by its bounds."""
+    for _ in range(DEPTH):
+        if wave(arb(0).union(number(end))) > 0:
+            return end
+        end /= 2
+    raise Unseen
+
+
+def _bracket(guess: float, guard: Wave) -> tuple[Fraction, Fraction]:
+    """Return decimals around the root of a falling wave, sure for every state of the box."""
+    slope, root = guard.slope(), arb(guess)
+    for _ in range(_NEWTON):
+        if guard(root).contains(0):
+            break
+        root = (root - guard(root) / slope(root)).mid()
+    near = root * arb(1, (1, 4 - flint.ctx.prec))
+    off = guard(near).abs_upper() / slope(near).abs_lower()
+    if not (off.is_finite() and off < root):
+        raise TooCoarse
+    low, high = outward(near + arb(0, SPARE * off), _places(root))
+    if not (low > 0 and guard(number(low)) > 0 and guard(number(high)) < 0):
+        raise TooCoarse
+    return low, high
+
+
+def outward(box: arb, places: int) -> tuple[Fraction, Fraction]:
+    """Return decimals with so many places around a ball."""
     unit = Fraction(10) ** places
-    return math.floor(low * unit) / unit, math.ceil(high * unit) / unit
+    return math.floor(exact_middle(box.lower()) * unit) / unit, math.ceil(exact_middle(box.upper()) * unit) / unit
+
+
+def _places(size: arb) -> int:
+    """Return how many decimal places a number of this size has in the present precision, and two more."""
+    return int(flint.ctx.prec * 0.301) + 2 - math.floor(math.log10(float(size.abs_upper())))

@@ -13,7 +13,7 @@ a zero to n digits below 10^(-4 n) of its scale, as digits cost little there.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache, partial
@@ -24,14 +24,13 @@ from flint import arb
 
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.arithmetic.compiled import compiled, compiles_now
-from numerics.linear.errors_of import JUDGED, errors_of
+from numerics.linear.errors_of import errors_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
 from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.events import energy_of
-from numerics.trajectory.rendering import MOST_DIGITS
 
 FEW_DIGITS = 3
 """So few right digits are said in the message of a run."""
@@ -39,6 +38,8 @@ ROUNDING = 2.0**-53
 """Of one operation in float64."""
 _ZERO_BITS = 3
 """A ball that holds 0 has no more accurate bits than that."""
+_SHORT = Ball(15)
+"""In which right digits are counted."""
 
 _STATE = slice(AT["x1"], AT["v2"] + 1)
 _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
@@ -46,44 +47,50 @@ _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
 
 
 def proved_digits(trajectory: Any) -> int:
-    """Return how many digits the balls of a trajectory leave right: of every event, and of the end."""
-    with trajectory.context():
-        values = list(_enclosed(trajectory))
-        # the count of accurate bits is within two bits of the logarithm: only the worst are measured, and all zeros
-        bits = [value.rel_accuracy_bits() for value, _ in values]
-        close = min((count for count in bits if count > _ZERO_BITS), default=0) + 4
-        worst = [one for one, count in zip(values, bits, strict=True) if count <= max(close, _ZERO_BITS)]
-        return min((digits_within(value.rad(), value, scale) for value, scale in worst), default=EXACT)
+    """Return how many digits of each number the balls of a trajectory leave right: of every event, and of the end."""
+    return min(_digits_of_balls(trajectory, relative_to_all=False))
 
 
-def _enclosed(trajectory: Any) -> Iterator[tuple[arb, arb]]:
-    """Yield every number that a trajectory in balls states, with the scale to which a zero is compared."""
-    x, v, energy = _scales(trajectory)
-    for t in trajectory.event_times:
-        yield t, t
-    for state in (*trajectory.event_states.T, trajectory.final_state):
-        yield from zip(state, (x, v, x, v), strict=True)
-    _, _, _, _, *ends = trajectory.end_numbers()
-    yield from zip(ends, (energy, trajectory.arithmetic.number(1)), strict=False)
+def _digits_of_balls(trajectory: Any, *, relative_to_all: bool) -> tuple[int, ...]:
+    """Return the least right digits of what JUDGED names, relative to each number, or to the largest of its kind."""
+    times, states = trajectory.event_times, np.column_stack([trajectory.event_states, trajectory.final_state])
+    energy, *excess = trajectory.end_numbers()[len(states) :]
+    carried = [] if trajectory.row_excess is None else trajectory.row_excess
+    if relative_to_all:
+        excess = carried[-1:]  # another one is formed from the energy
+    numbers, found = (times, states[::2].ravel(), states[1::2].ravel(), [energy], excess), []
+    with _SHORT.context():  # of numbers of any length
+        most = max((abs(one.mid()) for one in carried), default=arb(0))
+        scales = (arb(1), arb(0)), *_scales(trajectory), (arb(1), most)
+        for some, (scale, attained) in zip(numbers, scales, strict=True):
+            largest = max((one.rad() for one in some), default=arb(0))
+            reached = digits_within(largest, attained, attained) if relative_to_all else 0
+            found.append(reached or _least_digits(some, scale))
+    return tuple(found)
 
 
-def _scales(trajectory: Any) -> tuple[arb, arb, arb]:
-    """Return L, L Omega and E_cr; of a pair without them the largest position, speed and energy along the run."""
-    if trajectory.has_frame:
-        frame = trajectory.frame
-        return frame.length, frame.speed, frame.critical_energy
-    times, states = trajectory._own_moments
-    x, v = (_largest(states[k::2].ravel()) for k in range(2))
-    slow = _rate(trajectory.scene) * x  # a block that rests at every event has moved all the same
-    moving = Ball.number(trajectory.scene.pair.m1) * slow * slow / 2
-    return x, max(v, slow), max(_largest(energy_of(trajectory, times, states)), moving)
+def _least_digits(some: Any, scale: arb) -> int:
+    """Return the least right digits of some numbers, each relative to itself, of a zero to a scale."""
+    # the count of accurate bits is within two bits of the logarithm: only the worst are measured, and all zeros
+    bits = [one.rel_accuracy_bits() for one in some]
+    close = 4 + min((count for count in bits if count > _ZERO_BITS), default=0)
+    worst = [one for one, count in zip(some, bits, strict=True) if count <= close]
+    return min((digits_within(one.rad(), one, scale) for one in worst), default=EXACT)
 
 
-def _rate(scene: Scene) -> arb:
-    """Return Omega, without a spring 1/until: a speed is small beside it times the largest position."""
-    pair = scene.pair
-    squared = pair.a2 / (pair.m1 if pair.is_fixed else pair.mass) if pair.a2 else 1 / scene.until**2
-    return Ball.number(squared).sqrt()
+def _scales(trajectory: Any) -> Iterator[tuple[arb, arb]]:
+    """Yield, of positions, speeds and energies along a run, to what a zero is compared, and the largest attained."""
+    (times, states), pair = trajectory._own_moments, trajectory.scene.pair
+    gone, lasted = np.diff(states[::2]), np.diff(times)
+    means = [one.abs_lower() for one in (gone / lasted).flat if one.is_finite()]
+    x = max(abs(one.mid()) for one in states[::2].flat)
+    v = max([abs(one.mid()) for one in states[1::2].flat] + means)  # a mean speed is attained on the way
+    squared = pair.a2 / (pair.m1 if pair.is_fixed else pair.mass) if pair.a2 else 1 / trajectory.scene.until**2
+    slow, m1 = Ball.number(squared).sqrt() * x, Ball.number(pair.m1)
+    most = max([one.mid() for one in energy_of(trajectory, times, states)] + [m1 * v * v / 2])
+    yield x, x
+    yield max(v, slow), v
+    yield max(most, m1 * slow * slow / 2), most
 
 
 @dataclass(frozen=True, repr=False)
@@ -119,18 +126,11 @@ class Accuracy(ShortRepr):
 
 
 class Judged(NamedTuple):
-    """Bounds on the last energy (J) and excess; and what has so many right digits."""
+    """Bounds on the last energy (J) and excess; how many digits are right of what JUDGED names, none if unknown."""
 
-    energy: float
-    excess: float
-    digits: int
-    worst: Sequence[float]
-    """The worst relative errors of what JUDGED names; none where nothing is known."""
-
-    @property
-    def least(self) -> tuple[str, ...]:
-        """Return the quantities that have no more digits."""
-        return tuple(name for name, one in zip(JUDGED, self.worst, strict=False) if _right(one) <= self.digits)
+    energy: float = math.nan
+    excess: float = math.nan
+    right: tuple[int, ...] = ()
 
 
 @lru_cache(maxsize=128)
@@ -145,10 +145,8 @@ def judged(trajectory: Any) -> Judged:
     """Return what the bounds of a run in floats leave, or the balls of another one; mpmath knows nothing."""
     if trajectory.bounded:
         return _judged_floats(trajectory)
-    if trajectory.arithmetic.name != "ball":
-        return Judged(math.nan, math.nan, 0, ())
-    worst = _worst_of_balls(trajectory)
-    return Judged(math.nan, math.nan, min(trajectory.arithmetic.digits, _right(max(worst))), worst)
+    is_known = trajectory.arithmetic.name == "ball"
+    return Judged(right=_digits_of_balls(trajectory, relative_to_all=True)) if is_known else Judged()
 
 
 def _judged_floats(trajectory: Any) -> Judged:
@@ -163,51 +161,7 @@ def _judged_floats(trajectory: Any) -> Judged:
             weights[0] * max(0.0, stretched - x1) * (record.end[_STATE_ERRORS][0] + 8 * ROUNDING * (x1 + stretched))
         )
         excess = energy / critical + 8 * ROUNDING * (1 + trajectory.final_energy / critical)
-    if not trajectory.certain and _right(max(worst)):
-        return Judged(energy, excess, 0, ())
-    return Judged(energy, excess, min(MOST_DIGITS, _right(max(worst))), worst)
-
-
-def _worst_of_balls(trajectory: Any) -> list[float]:
-    with trajectory.context():
-        (times, states), mass = trajectory._own_moments, Ball.number(trajectory.scene.pair.m1)
-        energies = energy_of(trajectory, times, states)
-        x, v = (states[k::2].ravel() for k in range(2))
-        far: arb = _largest(x)
-        carried: Any = [] if trajectory.row_excess is None else trajectory.row_excess
-        slow, fast = _rate(trajectory.scene) * far, _mean_speed(times, states[0])
-        return [
-            max((_relative([t], abs(t.mid())) for t in trajectory.event_times), default=0.0),
-            _relative(x, far),
-            _relative(v, _largest(v), slow, max(fast, _mean_speed(times, states[2]))),
-            _relative(energies[-1:], _largest(energies), mass * slow * slow / 2, mass * fast * fast / 2),
-            _relative(carried[-1:], _largest(carried)),
-        ]
-
-
-def _largest(balls: Any) -> arb:
-    """Return the largest midpoint."""
-    return max((abs(one.mid()) for one in balls), default=arb(0))
-
-
-def _mean_speed(times: Any, places: Any) -> arb:
-    """Return the largest mean speed between two times, which a speed on the way attains, from below."""
-    found = [(gone / lasted).abs_lower() for gone, lasted in zip(np.diff(places), np.diff(times), strict=False)]
-    return max((one for one in found if one.is_finite()), default=arb(0))
-
-
-def _relative(balls: Any, size: arb, scale: arb | None = None, on_the_way: arb | None = None) -> float:
-    """Return the largest radius relative to a size, or as `moved` to a scale; inf of what is not finite."""
-    if not all(one.is_finite() for one in balls):
-        return math.inf
-    error = max((one.rad() for one in balls), default=arb(0))
-    if error.is_zero():
-        return 0.0
-    largest = size if on_the_way is None else max(size, on_the_way)
-    found = float((error / largest).upper()) if error < largest else math.inf
-    if scale is not None and not error < size and 10_000 * error < scale:
-        return min(found, float((error / scale).upper()) ** 0.25)
-    return found
+    return Judged(energy, excess, tuple(map(_right, worst)))
 
 
 def _right(error: float) -> int:
@@ -216,24 +170,19 @@ def _right(error: float) -> int:
 
 
 def accuracy_of(trajectory: Any, found: Judged) -> Accuracy:
-    """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
-    if not trajectory.bounded:
-        return _radii(trajectory, found.digits)
-    record, (energy, excess, digits, _) = trajectory.record, found
-    late = record.rows[trajectory.event_rows, AT["late"]] + 4 * ROUNDING * trajectory.event_times
-    errors, end = record.rows[trajectory.event_rows, _STATE_ERRORS], record.end[_STATE_ERRORS]
-    return Accuracy(late, errors, end, energy, excess, trajectory.certain, digits, partial(_off_in_ledger, trajectory))
-
-
-def _radii(trajectory: Any, digits: int) -> Accuracy:
-    """Return the radii of balls, rounded upwards."""
-    with trajectory.context():
-        *final, energy = trajectory.end_numbers()[:5]
-        excess = trajectory.end_numbers()[5:] or (arb("nan"),)
-        some = trajectory.event_times, trajectory.event_states.T, final, [energy, excess[0]]
-        t, y, ends, others = (_radii_of(one) for one in some)
-    off_energy, off_excess = others.tolist()
-    return Accuracy(t, y, ends, off_energy, off_excess, True, digits, partial(_off_in_ledger, trajectory))
+    """Return the bounds of a trajectory in SI units, or the radii of its balls, rounded upwards; in binary64."""
+    energy, excess, _ = found
+    if trajectory.bounded:
+        rows, at = trajectory.record.rows, trajectory.event_rows
+        t, y = rows[at, AT["late"]] + 4 * ROUNDING * trajectory.event_times, rows[at, _STATE_ERRORS]
+        end = trajectory.record.end[_STATE_ERRORS]
+    else:
+        with trajectory.context():
+            t, y = _radii_of(trajectory.event_times), _radii_of(trajectory.event_states.T)
+            *final, energy, excess = _radii_of([*trajectory.end_numbers(), arb("nan")])[:6]
+        end = np.array(final)
+    of_ledger = partial(_off_in_ledger, trajectory)
+    return Accuracy(t, y, end, energy, excess, trajectory.certain, trajectory.right_digits, of_ledger)
 
 
 def _off_in_ledger(trajectory: Any) -> float:

@@ -7,7 +7,7 @@ residual.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
@@ -139,7 +139,8 @@ def ledger_of(run: Rows) -> EnergyLedger:
     rows = range(len(run.row_lengths))
     friction, viscous, force, force_2, belt, wall, error = taken_in(run, rows)
     wall = wall + _by_jumps_of_the_wall(run)
-    initial, final = (energy_of(run, *at).tolist()[0] for at in _ends(run))
+    times = np.array([run.arithmetic.number(0), run.end_time])
+    initial, final = energy_of(run, times, run._states[:, [0, -1]]).tolist()
     work = force + force_2 + belt + wall
     residual = initial + work - final - friction - viscous
     return EnergyLedger(initial, final, friction, viscous, residual, work, force, force_2, belt, wall, error)
@@ -218,8 +219,3 @@ def _by_jumps_of_the_wall(run: Rows) -> Number:
         before, after = (run.row_states[0, k] - one for one in places)
         total += half * (after - before) * (after + before)
     return total
-
-
-def _ends(run: Rows) -> Iterator[tuple[Array, Array]]:
-    yield np.array([run.arithmetic.number(0)]), run.row_states[:, :1]
-    yield np.array([run.end_time]), np.array(run.final_state, dtype=run.row_states.dtype)[:, None]

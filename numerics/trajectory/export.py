@@ -7,30 +7,28 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from flint import arb
 
-from numerics.arithmetic.protocol import Number
 from numerics.exits import tool
 from numerics.files import whole_file
 from numerics.scene.decimals import decimal_text, exact_decimal
 from numerics.scene.plane import AXES
 from numerics.trajectory.columns import STATE, Array
-from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
-from numerics.trajectory.rendering import MOST_DIGITS, right_digits_text, with_radius
+from numerics.trajectory.comparison import as_ball, distance, require_same_sequence
+from numerics.trajectory.rendering import MOST_DIGITS, with_radius
 from numerics.trajectory.units import unit
 
 if TYPE_CHECKING:
     from pandas import DataFrame
 
 END_NAMES = (*STATE, "energy", "energy_excess")
-Written = dict[str, str]
-Writer = Callable[[str, Number, int], Written]
-"""Takes a name, a number, and the index of its event, or -1 for the end."""
+AT_END = -1
+"""Stands for the end in the place of the index of an event."""
 
 
 def knows_its_digits(trajectory: Any) -> bool:
@@ -40,26 +38,51 @@ def knows_its_digits(trajectory: Any) -> bool:
     return trajectory.accuracy is not None and bool(trajectory.accuracy.bounded)
 
 
-def as_record(trajectory: Any, truth: Any = None, events: Iterable[int] | None = None) -> dict[str, Any]:
+def numbers_at(trajectory: Any, index: int) -> tuple[Any, ...]:
+    """Return time and state of an event, or of the end, with energy and excess; on a surface tuples by axes."""
+    if index == AT_END:
+        return trajectory.end_time, *trajectory.end_numbers()
+    event = trajectory.events[index]
+    return event.t, *event.y, *(getattr(event, name) for name in trajectory.EVENT_COLUMNS)
+
+
+def bounds_at(trajectory: Any, index: int) -> tuple[float, ...]:
+    """Return the error bounds of the same numbers of a run that has some."""
+    known = trajectory.accuracy
+    return trajectory.end_bounds() if index == AT_END else (known.t[index], *known.y[index])
+
+
+def in_balls(trajectory: Any, digits: int) -> Any:
+    """Return the scene of a trajectory solved again, in balls of so many right digits, as far as it goes."""
+    import numerics
+
+    # one event more than were found shows a lost one; a run that was cut off is cut off at the same event
+    limit = max(1, trajectory.record.events + trajectory.reached)
+    return numerics.solve(trajectory.scene, digits=digits, arithmetic="ball", max_events=limit)
+
+
+def as_record(trajectory: Any, events: Iterable[int] | None = None) -> dict[str, Any]:
     """Return a trajectory as the JSON object of the interface: decimal strings of right digits, radii beside balls.
 
-    `truth`, a solve of the same scene in balls, says which digits are right where no radius and no bound does. `events`
-    are the indices of those that are wanted, all by default. Raises SequenceDiffers if the two sequences of events
-    differ, so that no wrong itinerary is ever printed; ValueError if a truth is needed and none is given.
+    What neither radii nor bounds say of the digits is said by the same scene in balls. `events` are the indices of
+    those that are wanted, all by default. Raises SequenceDiffers if its sequence of events is not the true one, so that
+    no wrong itinerary is ever printed; EventUndecided.
     """
-    write = _writer(trajectory, truth)
-    with trajectory.context():
+    truth = None
+    if not knows_its_digits(trajectory):
+        truth = in_balls(trajectory, 3 + (MOST_DIGITS if trajectory.bounded else trajectory.arithmetic.digits))
+        require_same_sequence(trajectory, truth)
+    with (truth or trajectory).context():
         wanted = range(len(trajectory.events)) if events is None else events
-        return {
-            "status": trajectory.status.name.lower().replace("_", "-"),
-            "message": trajectory.message,
-            "arithmetic": trajectory.arithmetic.name,
-            "digits": right_digits(trajectory),
-            "events": [_event(trajectory, write, index) for index in wanted],
-            "final": write("t", trajectory.end_time, -1)
-            | {"mode": word(trajectory.final_mode)}
-            | _numbers(write, zip(END_NAMES, trajectory.end_numbers(), strict=False), -1),
-        }
+        *rows, final = (_row(trajectory, truth, index) for index in (*wanted, AT_END))
+    return {
+        "status": trajectory.status.name.lower().replace("_", "-"),
+        "message": trajectory.message,
+        "arithmetic": trajectory.arithmetic.name,
+        "digits": right_digits(trajectory),
+        "events": rows,
+        "final": final,
+    }
 
 
 def right_digits(trajectory: Any) -> int:
@@ -74,57 +97,35 @@ def word(mode: Any) -> str:
     return str(getattr(mode, "value", mode))
 
 
-def _event(trajectory: Any, write: Writer, index: int) -> dict[str, Any]:
-    event = trajectory.events[index]
-    row = write("t", event.t, index) | {"from": word(event.before), "to": word(event.after)}
-    if trajectory.scene.is_forced:
-        row["cause"] = event.cause
-    more = ((name, getattr(event, name)) for name in trajectory.EVENT_COLUMNS)
-    return row | _numbers(write, (*zip(STATE, event.y, strict=True), *more), index)
-
-
-def _numbers(write: Writer, named: Iterable[tuple[str, Any]], index: int) -> dict[str, Any]:
-    """Return numbers as text; a tuple by axes as lists."""
-    found: dict[str, Any] = {}
-    for name, value in named:
-        if isinstance(value, tuple):
-            rows = [write(name, one, index) for one in value]
-            found |= {key: [row[key] for row in rows] for key in rows[0]}
-        else:
-            found |= write(name, value, index)
-    return found
-
-
-def _writer(trajectory: Any, truth: Any) -> Writer:
-    """Return a writer that cuts each number by its error bound, or where it parts from the true one."""
-    arithmetic, digits = trajectory.arithmetic, right_digits(trajectory)
-    if arithmetic.name == "ball":
-        return lambda name, value, _: with_radius(name, value, digits)
-    most, given = MOST_DIGITS if arithmetic.name == "float64" else arithmetic.digits, truth or trajectory
-    if truth is not None:
-        require_same_sequence(trajectory, truth)
-        with truth.context():
-            by_event, final = (truth.event_times, *truth.event_states), (truth.end_time, *truth.end_numbers())
-    elif not knows_its_digits(trajectory):
-        raise ValueError(
-            f"the number of right digits of this trajectory in {arithmetic.name} is not known; "
-            "give `truth`, a solve of the same scene in balls"
-        )
+def _row(trajectory: Any, truth: Any, index: int) -> dict[str, Any]:
+    """Return an event, or the end."""
+    if index == AT_END:
+        said = {"mode": word(trajectory.final_mode)}
     else:
-        by_event, final = (trajectory.accuracy.t, *trajectory.accuracy.y.T), trajectory.end_bounds()
+        event = trajectory.events[index]
+        said = {"from": word(event.before), "to": word(event.after)}
+        said |= {"cause": event.cause} if trajectory.scene.is_forced else {}
+    texts = _texts(trajectory, truth, index)
+    return {name: one for name, one in texts.items() if name in {"t", "t_radius"}} | said | texts
 
-    def write(name: str, value: Number, index: int) -> Written:
-        with given.context():
-            if isinstance(value, arb):
-                shown = float(value.mid())
-                error = distance(shown, value).upper()
-            else:
-                shown, place = value, ("t", *END_NAMES).index(name)
-                known = final[place] if index < 0 else by_event[place][index]
-                error = arb(float(known)) if truth is None else distance(value, known)
-            return {name: right_digits_text(as_fraction(shown), error, most)}
 
-    return write
+def _texts(trajectory: Any, truth: Any, index: int) -> dict[str, Any]:
+    """Return the numbers of an event, or of the end, by their names, as text; of balls with their radii."""
+    names = ("t", *END_NAMES) if index == AT_END else ("t", *STATE, *trajectory.EVENT_COLUMNS)
+    values = numbers_at(trajectory, index)
+    if trajectory.arithmetic.name != "ball":
+        most = MOST_DIGITS if trajectory.bounded else trajectory.arithmetic.digits
+        errors = map(distance, values, numbers_at(truth, index)) if truth else bounds_at(trajectory, index)
+        points = (arb(as_ball(one).mid(), error) for one, error in zip(values, errors, strict=False))
+        return {name: point.str(most, radius=False) for name, point in zip(names, points, strict=False)}
+    found, digits = dict[str, Any](), right_digits(trajectory)
+    for name, value in zip(names, values, strict=False):
+        if isinstance(value, tuple):
+            parts = [with_radius(name, one, digits) for one in value]
+            found |= {key: [part[key] for part in parts] for key in parts[0]}
+        else:
+            found |= with_radius(name, value, digits)
+    return found
 
 
 def as_csv(record: dict[str, Any]) -> str:
@@ -154,31 +155,29 @@ def _by_axes(row: dict[str, Any]) -> dict[str, str]:
     return found
 
 
+def _columns(trajectory: Any) -> dict[str, Any]:
+    """Return time, mode, state (on a surface a column for each axis) and energies at `t`; the mode after an event."""
+    asked, axes = trajectory.t_eval, AXES[: len(trajectory.y) // len(STATE)]
+    modes = (*trajectory.modes, trajectory.final_mode) if asked is None else trajectory.mode_at(asked)
+    names = [f"{name}_{axis}" for name in STATE for axis in axes] if len(axes) > 1 else STATE
+    found = {"t": trajectory.t, "mode": [*map(word, modes)]} | dict(zip(names, trajectory.y, strict=True))
+    return found | {name: getattr(trajectory, name) for name in trajectory.ENERGIES}
+
+
 def at_times(trajectory: Any) -> list[dict[str, str]]:
     """Return time, mode, state and energy of a run in balls at the times t_eval, as decimal texts of right digits."""
-    names, digits, times = [*_state_names(len(trajectory.y)), "energy"], right_digits(trajectory), trajectory.t_eval
-    rows = []
+    digits, columns = right_digits(trajectory), _columns(trajectory)
+    columns["t"] = [decimal_text(exact_decimal(t, "t")) for t in trajectory.t_eval]
+    columns.pop("energy_excess", None)
     with trajectory.context():
-        for t, mode, *numbers in zip(times, trajectory.mode_at(times), *trajectory.y, trajectory.energy, strict=True):
-            row = {"t": decimal_text(exact_decimal(t, "t")), "mode": word(mode)}
-            row |= {name: with_radius(name, x, digits)[name] for name, x in zip(names, numbers, strict=True)}
-            rows.append(row)
-    return rows
-
-
-def _state_names(rows: int) -> list[str]:
-    """Return the names of the rows of y: on a surface one for each axis."""
-    axes = AXES[: rows // len(STATE)]
-    return [f"{name}_{axis}" for name in STATE for axis in axes] if len(axes) > 1 else [*STATE]
+        for name, numbers in columns.items():
+            columns[name] = [one if isinstance(one, str) else with_radius(name, one, digits)[name] for one in numbers]
+    return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 
 def arrays(trajectory: Any) -> dict[str, Array]:
-    """Return t (m,), y (4, m), on a surface (4 n, m), energy (m,), modes and event_kinds; numbers in binary64.
-
-    On a line energy_excess (m,), on a surface bounds t_error and y_error.
-    """
-    with trajectory.context():
-        found = {name: trajectory.floats(getattr(trajectory, name)) for name in trajectory.COLUMNS}
+    """Return t (m,), y (4, m), on a surface (4 n, m), energies (m,), modes and event_kinds; numbers in binary64."""
+    found = {name: trajectory.floats(getattr(trajectory, name)) for name in ("t", "y", *trajectory.ENERGIES)}
     kinds = [kind.value for kind in trajectory.event_kinds]
     return found | {"modes": np.array([*map(word, trajectory.modes)]), "event_kinds": np.array(kinds, dtype=str)}
 
@@ -190,16 +189,9 @@ def write_npz(trajectory: Any, path: Path, extra: dict[str, Array] | None = None
 
 
 def dataframe(trajectory: Any) -> DataFrame:
-    """Return t, mode, the state (a column for each axis) and energies at `t` as a pandas DataFrame, in binary64.
-
-    The mode at an event is the one after it. `.attrs["units"]` has the units. Raises MissingTool.
-    """
-    asked, found = trajectory.t_eval, arrays(trajectory)
-    modes = [*trajectory.modes, trajectory.final_mode] if asked is None else trajectory.mode_at(asked)
-    state = zip(_state_names(len(found["y"])), found["y"], strict=True)
-    columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(state)}
-    frame: DataFrame = tool("pandas").DataFrame(
-        columns | {name: found[name] for name in ("energy", "energy_excess") if name in found}
-    )
+    """Return what `_columns` has as a pandas DataFrame, in binary64; `.attrs["units"]`. Raises MissingTool."""
+    columns = _columns(trajectory)
+    floats = {name: one if name == "mode" else trajectory.floats(one) for name, one in columns.items()}
+    frame: DataFrame = tool("pandas").DataFrame(floats)
     frame.attrs["units"] = {name: unit(name) for name in frame}
     return frame

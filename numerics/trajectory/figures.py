@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from numerics.errors import MissingTool
 from numerics.exits import tool
 from numerics.files import path_of, whole_file
 from numerics.linear.modes import EventKind, Mode
@@ -30,23 +29,16 @@ _MOST_MARKED = 200
 _MOST_POINTS = 8_000
 """Curves of more points are pixels in a vector graphic too, which would take megabytes."""
 _MOST_SHADED = 1000
-"""Stick phases beyond this number are narrower than a pixel: then none is shaded, and time is drawn logarithmically."""
+"""Stick phases beyond this number are narrower than a pixel: then none is shaded."""
 
 FREE = ("velocities", "positions", "load", "phase", "excess", "energy")
 FORCED = ("force", "load", "velocities", "positions", "phase", "energy")
 _CRITICAL = {"color": "black", "lw": 0.8, "ls": ":", "label": "$E = E_{cr}$"}
 _ENOUGH = {"color": GREEN, "alpha": 0.2, "lw": 0, "label": "friction is enough ($S_0$)"}
 _NEEDED = {"color": GREEN, "lw": 1.2, "label": "sticking needs this friction"}
-COMMON = (
-    *("body 1", "body 2", "entry", "exit", "crossing", "stick", "start", "end"),
-    *(_ENOUGH["label"], _NEEDED["label"], _CRITICAL["label"]),
-)
-"""What means the same in every picture, and is explained once, below all of them."""
 _MOST_FRAMES = 10_000
 Drawn = tuple[Any, Callable[[int], None]]
 """A figure, and what moves its artists to the frame of a number."""
-_TURNS = 9
-"""Turns of the spring that is drawn."""
 
 
 def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
@@ -64,7 +56,7 @@ def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None)
     ax.set_title(title, fontsize="medium")
     ax.set_ylabel(label)
     drawn(trajectory, curve, ax)
-    if kind not in {"phase", "friction", "relative"}:
+    if not ax.get_xlabel():
         _against_time(trajectory, curve, ax)
     if len(curve.t) > _MOST_POINTS:
         for one in (*ax.lines, *ax.collections):
@@ -72,11 +64,7 @@ def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None)
     for line in ax.lines:
         if len(line.get_xdata()) > _MOST_POINTS:  # dashes of so long a line take minutes to draw
             line.set_linestyle("-")
-    if marks_of(ax):
-        ax.legend(fontsize="small", framealpha=0.9)
-    if is_new:
-        explain_below(ax.figure)
-    return ax
+    return explained(ax, is_new=is_new)
 
 
 def axes_for(kind: Any, kinds: Collection[str], ax: Any, name: str = "kind") -> Any:
@@ -89,16 +77,10 @@ def axes_for(kind: Any, kinds: Collection[str], ax: Any, name: str = "kind") -> 
 
 
 def _against_time(trajectory: Any, curve: Curve, ax: Any) -> None:
-    """Label the time axis, and shade the times at which the bodies stick over the whole height of the axes.
-
-    Of thousands of phases the first ones would be too narrow to see on a linear axis.
-    """
+    """Label the time axis, and shade the times at which the bodies stick over the whole height of the axes."""
     ax.set_xlabel("t (s)")
     ax.set_xlim(curve.t[0], curve.t[-1])
-    if trajectory.modes.count(Mode.STICK) > _MOST_SHADED:
-        ax.set_xscale("log")
-        ax.set_xlim(curve.t[curve.segment == 1][0] / 2, curve.t[-1])
-    elif curve.stick.any():
+    if 0 < trajectory.modes.count(Mode.STICK) <= _MOST_SHADED:
         across = ax.get_xaxis_transform()
         ax.fill_between(curve.t, 0, 1, where=curve.stick, transform=across, color=GRAY, alpha=0.25, lw=0, label="stick")
 
@@ -113,15 +95,12 @@ def _mark_events(trajectory: Any, ax: Any, across: int, up: int) -> None:
             ax.plot(rows[across], rows[up], marker, color="black", ms=4, mfc="none", label=label, ls="none")
 
 
-def _velocities(trajectory: Any, curve: Curve, ax: Any) -> None:
-    ax.plot(curve.t, curve.y[1], **FIRST)
-    ax.plot(curve.t, curve.y[3], **SECOND)
-    _mark_events(trajectory, ax, 0, 2)
-
-
-def _positions(_: Any, curve: Curve, ax: Any) -> None:
-    ax.plot(curve.t, curve.y[0], **FIRST)
-    ax.plot(curve.t, curve.y[2], **SECOND)
+def _bodies(row: int, trajectory: Any, curve: Curve, ax: Any) -> None:
+    """Draw positions (row 0) or velocities (row 1) of both."""
+    ax.plot(curve.t, curve.y[row], **FIRST)
+    ax.plot(curve.t, curve.y[row + 2], **SECOND)
+    if row:
+        _mark_events(trajectory, ax, 0, 2)
 
 
 def _load(_: Any, curve: Curve, ax: Any) -> None:
@@ -185,42 +164,32 @@ def _sliding_region(pair: Any, ax: Any) -> None:
 
 
 def _excess(trajectory: Any, curve: Curve, ax: Any) -> None:
-    """Draw what the energy has above E_cr, or lacks below it, on whole decades. Raises InvalidScene without E_cr."""
+    """Draw what the energy has above E_cr, or lacks below it. Raises InvalidScene without E_cr."""
     _ = trajectory.scene.pair.half_width, trajectory.scene.pair.critical_energy
-    sizes = np.abs(curve.w[np.isfinite(curve.w) & (curve.w != 0)])
-    if not len(sizes):
-        ax.text(0.5, 0.5, "$E = E_{cr}$ exactly", transform=ax.transAxes, ha="center", va="center")
-        ax.set_yticks([])
-        return
     for part, label, dashes in ((curve.w, r"$E/E_{cr} - 1$", "-"), (-curve.w, r"$1 - E/E_{cr}$", "--")):
         if (part > 0).any():
-            ax.plot(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, color="black", ls=dashes)
-    ax.set_yscale("log")
-    ax.yaxis.set_minor_formatter("")
-    ax.set_ylim(10 ** np.floor(np.log10(sizes.min()) - 0.05), 10 ** np.ceil(np.log10(sizes.max()) + 0.05))
+            ax.semilogy(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, color="black", ls=dashes)
 
 
 def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what acts has put in, what is left of it, and what friction and viscosity took."""
     scene, (friction, viscous) = trajectory.scene, curve.lost
     work = curve.energy - curve.energy[0] + friction + viscous
-    pushing = " ".join(name for name, pieces in scene.pieces.items() if pieces and name != "friction")
     if not scene.is_forced:
         ax.axhline(float(scene.pair.critical_energy), **_CRITICAL)
-    for acts, label, part, color, dashes in (
-        (pushing, f"work of {_ACTING.get(pushing, 'what acts')}", work, PURPLE, "-"),
+    for is_there, label, part, color, dashes in (
+        (scene.is_forced, "work of what acts", work, PURPLE, "-"),
         (True, "energy of the pair", curve.energy, "black", "-"),
         (True, "lost to friction", friction, GREEN, "--"),
         (scene.pair.a1 > 0, "lost to viscosity", viscous, "black", ":"),
     ):
-        if acts:
+        if is_there:
             ax.plot(curve.t, part, color=color, lw=1.2, ls=dashes, label=label)
 
 
-_ACTING = {"force": "the force", "force_2": "the force on body 2", "belt": "the belt", "wall": "the wall"}
-_KINDS = {
-    "velocities": ("Velocities of both bodies", "$v_1$, $v_2$ (m/s)", _velocities),
-    "positions": ("Positions of both bodies", "$x_1$, $x_2$ (m)", _positions),
+_KINDS: dict[str, tuple[str, str, Callable[..., None]]] = {
+    "velocities": ("Velocities of both bodies", "$v_1$, $v_2$ (m/s)", partial(_bodies, 1)),
+    "positions": ("Positions of both bodies", "$x_1$, $x_2$ (m)", partial(_bodies, 0)),
     "load": ("The friction that sticking needs, and can get", "force on body 2 (N)", _load),
     "force": ("Force on body 1", "u (N)", _force),
     "phase": ("Phase portrait of body 1", "$v_1$ (m/s)", _phase),
@@ -256,7 +225,7 @@ def course(trajectory: Any) -> str:
 
 
 def together(drawings: Sequence[Callable[..., Any]], size: tuple[float, float], title: str) -> Any:
-    """Return a figure (inches) of what is drawn into axes, two in a row; common marks are explained once, below all."""
+    """Return a figure (inches) of what is drawn into axes, two in a row; marks are explained once, below all."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, layout="constrained")
@@ -272,27 +241,31 @@ def marks_of(ax: Any) -> dict[str, Any]:
     return {name: handle for handle, name in zip(*ax.get_legend_handles_labels(), strict=True)}
 
 
+def explained(ax: Any, *, is_new: bool) -> Any:
+    """Return axes with a legend: within them, or below new ones, where it hides nothing."""
+    if is_new:
+        explain_below(ax.figure)
+    elif marks := marks_of(ax):
+        ax.legend(marks.values(), marks, fontsize="small", framealpha=0.9)
+    return ax
+
+
 def explain_below(figure: Any) -> None:
-    """Move the common marks out of the legends of all axes, to one below them."""
+    """Move the legends of all axes to one below them, in which each mark is once."""
     common: dict[str, Any] = {}
     for ax in figure.axes:
-        common |= (marks := marks_of(ax))
-        own = [name for name in marks if name not in COMMON]
+        common |= marks_of(ax)
         if ax.get_legend():
             ax.get_legend().remove()
-        if own:
-            ax.legend([marks[name] for name in own], own, fontsize="small", framealpha=0.9)
-    shown = [name for name in COMMON if name in common]
-    handles, across = [common[name] for name in shown], min(len(shown), 5)
-    if shown:
-        figure.legend(handles, shown, loc="outside lower center", ncols=across, fontsize="small")
+    across = int(figure.get_figwidth() // 2)  # of about two inches each
+    figure.legend(common.values(), common, loc="outside lower center", ncols=across, fontsize="small")
 
 
 def animate(trajectory: Any, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
     """Return a matplotlib animation of a trajectory; see Trajectory.animate."""
 
     def drawn(times: Any, y: Any) -> Drawn:
-        """Draw body 2 on body 1 on its spring, to the scale of the motion, above the velocities."""
+        """Draw body 2 on body 1, to the scale of the motion, above the velocities."""
         from matplotlib import pyplot as plt
 
         figure, (ax, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
@@ -300,17 +273,16 @@ def animate(trajectory: Any, file: str | Path | None, duration: float, frames_pe
         below.set_title("")
         explain_below(figure)
         moment, size = below.axvline(0.0, color="black", lw=1), max(float(np.abs(y[[0, 2]]).max()), 1e-300)
-        wall, half = -7 * size, np.array([3.0, 1.2]) * size
-        ax.set(xlim=(wall, y[[0, 2]].max() + 4 * size), ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)")
+        half = np.array([3.0, 1.2]) * size
+        ax.set(
+            xlim=(y[[0, 2]].min() - 4 * size, y[[0, 2]].max() + 4 * size), ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)"
+        )
         bodies = ax.bar((0, 0), (1.0, 0.9), 2 * half, (0.05, 1.15), color=(BLUE, ORANGE), alpha=0.6)
-        (spring,) = ax.plot([], [], color="black", lw=1)
 
         def show(k: int) -> None:
             moment.set_xdata([times[k]] * 2)
-            left = y[[0, 2], k] - half
-            for body, place in zip(bodies, left, strict=True):
+            for body, place in zip(bodies, y[[0, 2], k] - half, strict=True):
                 body.set_x(place)
-            spring.set_data(np.linspace(wall, left[0], 2 * _TURNS), [0.4, 0.7] * _TURNS)
 
         return figure, show
 
@@ -335,11 +307,7 @@ def film(
     path = None if file is None else path_of(file)
     if path and path.suffix not in {".gif", ".mp4"}:
         raise ValueError(f"file = {path.name!r} must end in .gif or .mp4")
-    if path and not path.parent.is_dir():
-        raise FileNotFoundError(2, "No such folder; create it, or write elsewhere", str(path.parent))
     plt, animation = (tool(f"matplotlib.{name}") for name in ("pyplot", "animation"))
-    if path and path.suffix == ".mp4" and not animation.writers.is_available("ffmpeg"):
-        raise MissingTool("an .mp4 file needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
     with meter("drawing") as line:
         times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
         figure, show = drawn(times, trajectory.floats(trajectory.sol(times)))

@@ -1,9 +1,9 @@
 """The motion after a row, z' = A z: enclosed, one by one, or in binary64 for thousands of rows and times at once.
 
-In binary64 a time is a sum of intervals h 2^k, by its binary digits, and of a rest;
-over h the fastest rate turns through 1/2. exp(A h 2^k) comes from balls and is rounded once, what happens within h is
-Taylor's; approximate, without a bound. Signals start from their own phase, reduced in twice the precision. In every
-other arithmetic a motion is that of LinearMode, for balls as it is, for mpmath its midpoint.
+In binary64 a time is a sum of intervals h 2^k, by its binary digits, and of a rest; over h the fastest rate turns
+through 1/2. exp(A h 2^k) comes from balls and is rounded once, what happens within h is Taylor's; approximate, without
+a bound. Signals flow so from where their piece begins. In every other arithmetic a motion is that of LinearMode, for
+balls as it is, for mpmath its midpoint.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
 
 import flint
 import mpmath
@@ -19,12 +18,10 @@ import numpy as np
 from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, as_float, exact_middle, magnitude_bits
-from numerics.arithmetic.pair import TwoFloats, nearest, plus, product, times
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.linear.model import BELT, FIRST, FRICTION, SLIP, STICK, TAKEN, WALL, Cell, Layout
-from numerics.linear.prepare import reduced
-from numerics.linear.system import LinearMode, LocalNorm, Motion, Row, matrix, sparse
+from numerics.linear.model import FIRST, SLIP, STICK, TAKEN, Cell, Layout
+from numerics.linear.system import LinearMode, LocalNorm, Motion, matrix, sparse
 from numerics.scene import Pair
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.comparison import as_ball
@@ -35,87 +32,53 @@ _SPARE_BITS = 24
 _BITS_PER_DOUBLING = 5
 """What a flow may lose each time that it is squared."""
 _STATE = tuple(((place, Fraction(1)),) for place in range(FIRST))
-_TURN = TwoFloats(6.283185307179586, 2.4492935982947064e-16)
-
-
-def powers_of(mode: LinearMode) -> dict[int, tuple[Row, Row]]:
-    """Return the rows of z whose products are taken or given, W, by their places in TAKEN; only those that act."""
-    rows = mode.rows.powers[SLIP if mode.side else STICK]
-    pairs = ((sparse(one), sparse(two)) for one, two in rows)
-    return {k: pair for k, pair in enumerate(pairs) if all(pair)}
+_PHASE_BITS = 384
+"""For the phase of a sine where a piece begins, however many turns that is."""
 
 
 # ------------------------------------------------------------------ in binary64
 class Steps:
-    """exp(A t) of stick or of slip in binary64, for times below 2^top s.
-
-    z is in units (powers of 2) in which no power of a time leaves the range.
-    """
+    """exp(A t) of stick or of slip in binary64, for times below 2^top s."""
 
     def __init__(self, pair: Pair, layout: Layout, slips: bool, cell: Cell, top: int) -> None:
         """Form exp(A h 2^k) in balls."""
         mode = LinearMode.like(pair, int(slips), layout, cell)
         with precision(64):
             fastest = LocalNorm(mode).fastest.upper()
-            mass = magnitude_bits(Ball.number(mode.mass).mid())
         shortest = min(top, -1 - magnitude_bits(fastest)) if fastest > 0 else top
-        units = np.zeros(mode.size, dtype=int)
-        units[[0, 2]] = -shortest
-        push = {WALL: -shortest, BELT: 0}
-        for signal, (first, terms, sines, waves) in enumerate(layout.blocks):
-            own = push.get(signal, shortest - mass)
-            units[first : first + terms] = own + top * np.arange(terms)
-            units[sines : sines + 2 * waves] = own
-        self.units, self.h, factors = units[:, None], np.ldexp(1.0, shortest), [Fraction(2) ** int(k) for k in units]
-        scaled = [
-            [c * to / of if c else c for c, of in zip(row, factors, strict=True)]
-            for row, to in zip(mode.generator(), factors, strict=True)
-        ]
-        unit = Fraction(2) ** shortest
-        self.taylor = np.array([[float(one * unit) for one in row] for row in scaled])
+        unit, self.h = Fraction(2) ** shortest, np.ldexp(1.0, shortest)
+        self.taylor = np.array([[float(one * unit) for one in row] for row in mode.generator()])
         largest = max(0, int(np.frexp(np.abs(self.taylor).max())[1]))
         self.longer: list[Floats] = []
         with precision(144 + _BITS_PER_DOUBLING * (top - shortest) + 2 * largest):
-            flow = (matrix(scaled) * (arb(2) ** shortest)).exp()
+            flow = (matrix(mode.generator()) * (arb(2) ** shortest)).exp()
             for _ in range(top - shortest):
                 self.longer.append(np.array([*map(as_float, (flow - 1).entries())]).reshape(mode.size, mode.size))
                 flow = flow * flow
 
     def over(self, z: Floats, tau: Floats) -> Floats:
         """Return by how much z changes within tau (s)."""
-        z, rest = np.ldexp(z, self.units), np.fmod(tau, self.h)
-        changed, term = np.zeros_like(z), z
+        rest, changed, term = np.fmod(tau, self.h), np.zeros_like(z), z
         for k in range(1, _TERMS + 1):
             term = (self.taylor @ term) * (rest / self.h / k)
             changed += term
         for k, less_one in enumerate(self.longer):
+            if tau.max(initial=0.0) < np.ldexp(self.h, k):
+                break
             on = np.fmod(tau, np.ldexp(self.h, k + 1)) >= np.ldexp(self.h, k)
             changed[:, on] += less_one @ (z[:, on] + changed[:, on])
-        return np.ldexp(changed, -self.units)
+        return changed
 
 
 steps_of = lru_cache(64)(Steps)
 
 
-def signals_at(mode: LinearMode, local: Floats, rest: Floats) -> Floats:
-    """Return the blocks of z at times in a piece (s), in binary64; `rest` is what rounding left out of the times."""
-    found = np.zeros((mode.size, len(local)))
-    for signal, (first, _, sines, _) in enumerate(mode.layout.blocks):
-        piece, sign = mode.piece.signals[signal], (mode.side or 1) if signal == FRICTION else 1
-        coefficients = sign * np.array([float(one) for one in piece.polynomial])
-        for k in range(len(coefficients)):
-            found[first + k] = np.polynomial.polynomial.polyval(local, coefficients)
-            coefficients = np.polynomial.polynomial.polyder(coefficients)
-        for k, sine in enumerate(piece.sines):
-            start = reduced(sine.phase + sine.omega * mode.piece.start)
-            at: Any = TwoFloats(local, rest)  # type: ignore[arg-type]  # arrays of them
-            phase = plus(product(nearest(sine.omega), at), nearest(start))
-            angle, low = plus(phase, times(_TURN, -np.rint(phase.high / _TURN.high)))
-            s, c = np.sin(angle), np.cos(angle)
-            found[sines + 2 * k : sines + 2 * k + 2] = (
-                sign * float(sine.amplitude) * np.array([s + c * low, c - s * low])
-            )
-    return found[FIRST:]
+@lru_cache(1024)
+def signals_of(mode: LinearMode) -> Floats:
+    """Return the blocks of z where the piece of a mode begins, in binary64."""
+    with precision(_PHASE_BITS):
+        z = mode.begin([arb(0)] * FIRST, Ball.number(mode.piece.start))
+    return np.array([*map(as_float, z[FIRST:])])
 
 
 # ------------------------------------------------------------------ in the other arithmetics
@@ -158,25 +121,15 @@ class Moving:
         mode, over, found = self.mode, motion.over(tau), [arb(0)] * len(TAKEN)
         halved = halvings(mode, tau)
         short = tau.mid() / arb(2) ** halved
-        for place, (one, two) in powers_of(mode).items():
-            flow, total = _van_loan(motion.matrix, short, _form(mode.size, one, two))
-            for _ in range(halved):
-                total += flow.transpose() * total * flow
-                flow = flow * flow
-            middle = (motion.begin.transpose() * total * motion.begin)[0, 0]
-            found[place] = middle + tau.rad() * arb(0, 1) * over.range(one) * over.range(two)
+        for place, (one, two) in enumerate(mode.rows.powers[SLIP if mode.side else STICK].tolist()):
+            if any(one) and any(two):
+                flow, total = _van_loan(motion.matrix, short, matrix([one]).transpose() * matrix([two]))
+                for _ in range(halved):
+                    total += flow.transpose() * total * flow
+                    flow = flow * flow
+                middle = (motion.begin.transpose() * total * motion.begin)[0, 0]
+                found[place] = middle + tau.rad() * arb(0, 1) * over.range(sparse(one)) * over.range(sparse(two))
         return found
-
-
-def _form(size: int, one: Row, two: Row) -> arb_mat:
-    """Return Q with z' Q z = one two."""
-    Q = arb_mat(size, size)
-    for place, f in one:
-        for other, g in two:
-            half = Ball.number(f * g / 2)
-            Q[place, other] += half
-            Q[other, place] += half
-    return Q
 
 
 def _van_loan(A: arb_mat, tau: arb, Q: arb_mat) -> tuple[arb_mat, arb_mat]:

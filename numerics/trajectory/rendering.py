@@ -1,14 +1,14 @@
 """Numbers as decimal text that carries the digits that are right, no more.
 
 A ball is printed with its radius, rounded outwards: [text - radius, text + radius] contains the true value. A point is
-cut at the bound of its error, or where it parts from a ball of an independent solve.
+printed as the ball that its error bound makes of it, or its distance from a ball of an independent solve: the true
+value lies within one unit of the last place.
 """
 
 from __future__ import annotations
 
 import math
-from decimal import ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
-from fractions import Fraction
+from decimal import Decimal
 
 from flint import arb
 
@@ -32,35 +32,10 @@ def with_radius(name: str, x: arb, digits: int, spare: int = _SPARE_DIGITS) -> d
     return {name: text, f"{name}_radius": _upwards(abs(x - arb(text)).upper())}
 
 
-def _wide(digits: int, rounding: str) -> Context:
-    """Return a decimal context whose exponents cannot overflow here."""
-    return Context(prec=digits, rounding=rounding, Emax=10**15, Emin=-(10**15))
-
-
 def _upwards(bound: arb) -> str:
-    """Return an exact ball >= 0 as decimal text of 3 digits that is not smaller."""
+    """Return an exact ball >= 0 as decimal text of 3 digits, or 4, that is not smaller."""
     if bound.is_zero():
         return "0"
-    mantissa, exponent = (int(part) for part in bound.man_exp())
-    context = _wide(40, ROUND_CEILING)
-    exact = context.multiply(Decimal(mantissa), context.power(Decimal(2), Decimal(exponent)))
-    # the margin covers the rounding of the power, which decimal does not direct
-    safe = context.multiply(exact, Decimal("1." + 29 * "0" + "1"))
-    return str(_wide(3, ROUND_CEILING).create_decimal(safe))
-
-
-def right_digits_text(value: Fraction, error: arb, most: int) -> str:
-    """Return an exact number as text cut to the digits that an error bound leaves right, at most `most` of them.
-
-    The true value lies within one unit of the last place: half of it for the error, half for the rounding.
-    """
-    context = _wide(max(most, 1), ROUND_HALF_EVEN)
-    text = context.divide(Decimal(value.numerator), Decimal(value.denominator))
-    if error.is_zero():
-        return str(text)
-    place = Decimal(_upwards((2 * error).upper())).adjusted() + 1
-    if text == 0:
-        return str(Decimal((0, (0,), place)))
-    if place <= int(text.as_tuple().exponent):
-        return str(text)
-    return str(text.quantize(Decimal((0, (1,), place)), context=_wide(most + 2, ROUND_HALF_EVEN)))
+    place = math.floor(float((bound.log() / arb(10).log()).mid())) - 2
+    digits = (bound / arb(10) ** place).upper().ceil().unique_fmpz()
+    return str(Decimal(f"{digits}E{place}"))

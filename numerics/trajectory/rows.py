@@ -6,7 +6,7 @@ Which row's segment holds a time, and the motion from that row's state (flow.py)
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import reduce
 from typing import TYPE_CHECKING, Any, Literal, overload
@@ -17,7 +17,7 @@ from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
 from numerics.linear.cells import Cells, mode_in
-from numerics.linear.model import EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
+from numerics.linear.model import CONSTANT, EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
 from numerics.linear.record import AT, How, Record
@@ -26,7 +26,7 @@ from numerics.scene import Scene
 from numerics.scene.decimals import require_one_of
 from numerics.trajectory.answer import Answer
 from numerics.trajectory.columns import STATE, Array, Counts, Floats, Moment
-from numerics.trajectory.flow import Moving, signals_at, steps_of
+from numerics.trajectory.flow import Moving, signals_of, steps_of
 from numerics.trajectory.times import exact_time
 
 if TYPE_CHECKING:
@@ -289,19 +289,23 @@ class Rows(Answer):
         """Return the linear mode in which a row begins."""
         return self._modes[0][self._modes[1][row]]
 
-    def row_motion(self, row: int) -> Moving:
-        """Return the motion of a row's segment; not for binary64."""
-        return Moving(self.arithmetic, self.row_mode(row), self.row_states[:, row].tolist(), self.row_times[row])
+    def _motions(self, rows: Counts, since: Array, function: Callable[[Moving, Any], Any]) -> Array:
+        """Return a function of the motions after rows, and of times (s) after their starts; not for binary64."""
+        found = []
+        for row, tau in zip(rows, since, strict=True):
+            at = self.row_states[:, row].tolist(), self.row_times[row]
+            found.append(function(Moving(self.arithmetic, self.row_mode(row), *at), tau))
+        return _columns(found)
 
     def row_flow(self, rows: Counts, since: Array) -> Array:
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
         if self.bounded:
             return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[:FIRST])
-        return _columns([self.row_motion(row).after(tau) for row, tau in zip(rows, since, strict=True)])
+        return self._motions(rows, since, Moving.after)
 
     def row_taken(self, rows: Counts, since: Array) -> Array:
         """Return what is taken and given (model.TAKEN) from the starts of rows on for times (s), J; not in binary64."""
-        return _columns([self.row_motion(row).taken(tau) for row, tau in zip(rows, since, strict=True)])
+        return self._motions(rows, since, Moving.taken)
 
     def row_excess_at(self, t: Any, side: Side) -> Number:
         """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
@@ -318,39 +322,35 @@ class Rows(Answer):
         found: Number = self.row_values(left, self._times(t).reshape(1), side).tolist()[0]
         return found
 
-    @cached_property
-    def _begun(self) -> tuple[Floats, Floats, Floats]:
-        """Return when each row begins in its piece, s, what its rounding left out, and its state, in binary64."""
-        local = self.floats(self.row_column("local"))
-        rest = self.row_column("local_rest") if self.bounded else 0.0 * local
-        return local, rest, self.floats(self.row_states)
-
     def row_changes(self, rows: Counts, since: Floats) -> Floats:
         """Return by how much the state changes from rows on for a time (s), and what acts then, (8, n), in binary64.
 
         What acts: u, the friction force that sticking needs, that in slip, and the edge, N.
         """
-        (local, rest, y), found, (modes, which) = self._begun, np.zeros((FIRST + 4, len(since))), self._modes
-        for kind, chosen in _groups(modes, which[rows]):
-            z = np.zeros((kind.size, len(chosen)))
-            z[:FIRST] = y[:, rows[chosen]]
-            for one in np.unique(own := which[rows[chosen]]):
-                its = rows[chosen[own == one]]
-                z[FIRST:, own == one] = signals_at(modes[one], local[its], rest[its])
-            top = int(np.frexp(since[chosen].max(initial=0.0))[1])
-            changed = steps_of(kind.pair, kind.layout, bool(kind.side), kind.cell, top).over(z, since[chosen])
-            found[:FIRST, chosen], found[FIRST:, chosen] = changed[:FIRST], _acting(kind) @ (z + changed)
+        local, y = self.floats(self.row_column("local")), self.floats(self.row_states)
+        rest = self.row_column("local_rest") if self.bounded else 0.0 * local
+        found, (modes, all_modes) = np.zeros((FIRST + 4, len(since))), self._modes
+        which, kinds = all_modes[rows], dict[Any, list[int]]()
+        for k in np.unique(which).tolist():  # one matrix moves all modes of a kind
+            kinds.setdefault((modes[k].layout, bool(modes[k].side), modes[k].cell), []).append(k)
+        for (layout, slips, cell), its in kinds.items():
+            chosen = np.flatnonzero(np.isin(which, its))
+            tau, (own, at) = since[chosen], np.unique(rows[chosen], return_inverse=True)
+            z, pair = np.zeros((layout.size, len(own))), self.scene.pair
+            for k in its:
+                z[FIRST:, all_modes[own] == k] = signals_of(modes[k])[:, None]
+            for late in (local[own], rest[own]):  # the signals are those of a stick, in which nothing grows
+                z += steps_of(pair, layout, False, CONSTANT, _bits(local[own])).over(z, late)
+            z[:FIRST] = y[:, own]
+            z = z[:, at.ravel()]
+            changed = steps_of(pair, layout, slips, cell, _bits(tau)).over(z, tau)
+            found[:FIRST, chosen], found[FIRST:, chosen] = changed[:FIRST], _acting(modes[its[0]]) @ (z + changed)
         return found
 
 
-def _groups(modes: list[LinearMode], which: Counts) -> Iterator[tuple[LinearMode, Counts]]:
-    """Yield a mode of every kind, which one matrix A moves, and where in `which` modes are of that kind."""
-    kinds: dict[Any, tuple[LinearMode, list[int]]] = {}
-    for one in np.unique(which).tolist():
-        key = modes[one].layout, bool(modes[one].side), modes[one].cell
-        kinds.setdefault(key, (modes[one], []))[1].append(one)
-    for mode, its in kinds.values():
-        yield mode, np.flatnonzero(np.isin(which, its))
+def _bits(times: Floats) -> int:
+    """Return e with all times below 2^e."""
+    return int(np.frexp(times.max())[1])
 
 
 def _acting(mode: LinearMode) -> Floats:

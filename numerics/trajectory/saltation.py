@@ -28,7 +28,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
 from numerics.linear.cells import mode_in
-from numerics.linear.model import CONSTANT, DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies, add_signal
+from numerics.linear.model import BELT, CONSTANT, DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies, add_signal
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.ties import signal_form
 from numerics.scene import Law, Piece, Scene
@@ -178,12 +178,11 @@ class Chain:
         leg, after = self.legs[index], self.legs[index + 1]
         found = self._ahead(index, leg.length)
         if after.begins_piece:
-            found = self._across(index + 1, found, self._by_jumps(index + 1))
-        elif after.is_event:
-            found = self._across(index + 1, found, [self._by_guard(leg, after, found)])
+            shifts = self._by_jumps(index + 1)
         else:
-            found = self._pointed(found)
-        return found._replace(y=self._driven(after, found.y)) if self.is_fixed else found
+            shifts = iter([self._by_guard(leg, after, found)] if after.is_event else [])
+        found = self._across(index + 1, found, shifts)
+        return found._replace(y=self._driven(after, found.y))
 
     def _across(self, index: int, found: CarriedDerivatives, shifts: Iterable[Shift]) -> CarriedDerivatives:
         """Return the derivatives at the start of a leg behind what moves in time; those of an event are kept."""
@@ -220,7 +219,11 @@ class Chain:
         here, at, literal = leg.mode.piece, (leg.start, leg.state), scene.law is Law.THREE_VALUED_SGN
         before = last.mode.piece if index else _in_front(here, scene)
         names = self.begun.get(here.start, {})
-        alone = {k: _with(here, k, before) for k in names if _jumps_at(before, here, k)}
+        alone = {}
+        for k in names:
+            if _jumps_at(before, here, k):
+                signals = [*here.signals[:k], before.signals[k].moved(here.start), *here.signals[k + 1 :]]
+                alone[k] = replace(here, signals=tuple(signals))
         fields = {k: self._field_from_contact(one, *at, (0, leg.cell[1])) for k, one in alone.items()}
         is_held = leg.side or literal or all(surely for _, surely in fields.values())
         if index and len(alone) > 1 and (leg.is_event or not is_held):
@@ -266,15 +269,7 @@ def _in_front(here: ExactPiece, scene: Scene) -> ExactPiece:
     return replace(here, signals=(nothing, nothing, nothing, nothing, Piece(0, (scene.pair.b,))))
 
 
-def _with(here: ExactPiece, k: int, before: ExactPiece) -> ExactPiece:
-    """Return a piece with one signal of another, moved to its time."""
-    signals = list(here.signals)
-    signals[k] = before.signals[k].moved(here.start) if before.start <= here.start else before.signals[k]
-    return replace(here, signals=tuple(signals))
-
-
 def _jumps_at(before: ExactPiece, here: ExactPiece, k: int) -> bool:
     """Return whether a signal jumps where a piece begins; of belt and wall its derivative counts, too."""
-    orders = 2 if SIGNALS[k] in {"belt", "wall"} else 1
-    ends = (here.start - before.start, here.start - here.start)
-    return any(signal_form(before, k, ends[0], n) != signal_form(here, k, ends[1], n) for n in range(orders))
+    orders, end = 2 if k in {BELT, WALL} else 1, here.start - before.start
+    return any(signal_form(before, k, end, n) != signal_form(here, k, Fraction(0), n) for n in range(orders))

@@ -11,6 +11,7 @@ import json
 from base64 import b64decode, b64encode
 from decimal import Decimal
 from fractions import Fraction
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -22,16 +23,16 @@ from mpmath.libmp import from_man_exp
 from numerics.arithmetic.ball import ball_of
 from numerics.errors import InvalidFile, InvalidScene
 from numerics.files import path_of, whole_file
-from numerics.scene.decimals import require_digits, require_whole
 from numerics.scene.file import parse_scene, scene_text
+from numerics.trajectory.comparison import as_fraction
 
 _REMEDY = "give a file that `save` of such a run has written"
 _SAID = {
     "pickle": "it is no npz archive",
     "No data left": "it is empty",
-    "header is not": "it is an archive of plain arrays, as of --npz, which np.load reads",
-    "'inertial-pair surface trajectory 4'": "it is a run on a surface, which PlaneTrajectory.load reads",
-    "'inertial-pair trajectory 4'": "it is a run on a line, which Trajectory.load reads",
+    "is not a file": "it is an archive of plain arrays, as of --npz, which np.load reads",
+    "'inertial-pair surface trajectory 5'": "it is a run on a surface, which PlaneTrajectory.load reads",
+    "'inertial-pair trajectory 5'": "it is a run on a line, which Trajectory.load reads",
 }
 """What is wrong with a file where an error says this."""
 
@@ -45,8 +46,9 @@ def save(trajectory: Any, file: str | Path) -> None:
     if path.suffix not in {"", ".npz"}:
         raise ValueError(f"{str(path)!r} is a name of another kind of file; end it in .npz, or write to_csv() to it")
     text = json.dumps(contents(trajectory)).encode()
+    header, digest = (np.frombuffer(one, dtype=np.uint8) for one in (text, sha256(text).digest()))
     with whole_file(path) as opened:
-        np.savez_compressed(opened, header=np.frombuffer(text, dtype=np.uint8))
+        np.savez_compressed(opened, header=header, digest=digest)
 
 
 def load(file: str | Path, kind: Any) -> Any:
@@ -58,8 +60,10 @@ def load(file: str | Path, kind: Any) -> Any:
         raise OSError(error.errno, f"{error.strerror}; {_REMEDY}", str(path)) from None
     try:
         with opened, np.errstate(invalid="raise"), np.load(opened, allow_pickle=False) as archive:
-            header = json.loads(archive["header"].tobytes().decode(), object_hook=_number)
-            return restored(header, kind)
+            text = archive["header"].tobytes()
+            if archive["digest"].tobytes() != sha256(text).digest():
+                raise ValueError("it was changed")
+            return restored(_tuples(json.loads(text, object_hook=_number)), kind)
     except Exception as error:  # noqa: BLE001 - whatever may come of what somebody wrote or changed
         reason = " ".join(str(error).split())[:200] or type(error).__name__
         reason = next((said for word, said in _SAID.items() if word in reason), reason)
@@ -81,33 +85,20 @@ def run_of(trajectory: Any) -> dict[str, Any]:
 
 
 def restored(header: dict[str, Any], kind: Any) -> Any:
-    """Return the trajectory of a header, of the class `kind`.
-
-    Raises ValueError, and what else others' files can bring about.
-    """
+    """Return the trajectory of a header, of the class `kind`. Raises ValueError for that of another one."""
     if header["format"] != kind.FORMAT:
         raise ValueError(f"its format is {str(header['format'])[:40]!r}, not that of a {kind.__name__}")
-    (name, digits), right = header["arithmetic"], header["digits"]
-    if name not in kind.ARITHMETICS:
-        raise ValueError(f"its arithmetic is {str(name)[:40]!r}")
-    require_digits(digits)
-    if right is not None:
-        require_whole("right digits", right, 0)
     found = kind.restored(parse_scene(header["scene"]), header)
-    return found.but(digits=right, tried=str(header["tried"]), t_eval=header["t_eval"])
+    return found.but(digits=header["digits"], tried=header["tried"], t_eval=header["t_eval"])
 
 
-def plain(value: Any) -> Any:  # noqa: PLR0911 - one for each kind of number
+def plain(value: Any) -> Any:
     """Return numbers as what JSON holds; a list for every sequence."""
     if isinstance(value, arb_poly):
-        return {"polynomial": [plain(one) for one in value.coeffs()]}
-    if isinstance(value, arb):
-        return {"ball": [part for point in (value.mid(), value.rad()) for part in _hexadecimal(*point.man_exp())]}
-    if isinstance(value, mpmath.mpf):
-        mantissa, exponent = value.man_exp  # without the sign
-        return {"mpf": _hexadecimal(-mantissa if value < 0 else mantissa, exponent)}
-    if isinstance(value, (Decimal, Fraction)):
-        return {"ratio": [hex(one) for one in value.as_integer_ratio()]}
+        return {"polynomial": plain(value.coeffs())}
+    for name, (kind, parts, _) in _KINDS.items():
+        if isinstance(value, kind):
+            return {name: [hex(int(one)) for one in parts(value)]}
     if isinstance(value, np.ndarray) and value.dtype == float:
         return {"floats": [b64encode(value.astype("<f8").tobytes("F")).decode(), *value.shape]}
     if isinstance(value, (list, tuple)) or (isinstance(value, np.ndarray) and value.dtype == object):
@@ -115,24 +106,31 @@ def plain(value: Any) -> Any:  # noqa: PLR0911 - one for each kind of number
     return value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
 
 
-def _hexadecimal(mantissa: Any, exponent: Any) -> list[Any]:
-    return [hex(int(mantissa)), int(exponent)]
-
-
 def _number(found: dict[str, Any]) -> Any:
     """Return the number that an object of the JSON text stands for, or the array of floats; else the object."""
-    if list(found) == ["floats"]:
-        text, *shape = found["floats"]
+    (name, *more), (parts, *_) = found, found.values()
+    if more:
+        return found
+    if name == "floats":
+        text, *shape = parts
         return np.frombuffer(b64decode(text), dtype="<f8").reshape(shape, order="F").astype(float, order="C")
-    for name, read in _READ.items():
-        if list(found) == [name]:
-            return read(*(int(one, 16) if isinstance(one, str) else one for one in found[name]))
-    return found
+    return arb_poly(parts) if name == "polynomial" else _KINDS[name][2](*(int(one, 16) for one in parts))
 
 
-_READ: dict[str, Any] = {
-    "ball": lambda *parts: ball_of(parts[:2], parts[2:]),
-    "mpf": lambda mantissa, exponent: mpmath.make_mpf(from_man_exp(mantissa, exponent)),
-    "ratio": Fraction,
-    "polynomial": lambda *coefficients: arb_poly(list(coefficients)),
+def _tuples(given: Any) -> Any:
+    """Return a tuple for every list."""
+    if isinstance(given, dict):
+        return {name: _tuples(one) for name, one in given.items()}
+    return tuple(map(_tuples, given)) if isinstance(given, list) else given
+
+
+_KINDS: dict[str, Any] = {
+    "ball": (arb, lambda x: (*x.mid().man_exp(), *x.rad().man_exp()), lambda *parts: ball_of(parts[:2], parts[2:])),
+    "mpf": (
+        mpmath.mpf,
+        lambda x: as_fraction(x).as_integer_ratio(),
+        lambda p, q: mpmath.make_mpf(from_man_exp(p, 1 - q.bit_length())),  # q is a power of 2
+    ),
+    "ratio": ((Decimal, Fraction), lambda x: x.as_integer_ratio(), Fraction),
 }
+"""Of each kind of exact number its whole numbers, and what makes it of them."""

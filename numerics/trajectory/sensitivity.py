@@ -41,7 +41,7 @@ from numerics.scene.decimals import shown
 from numerics.scene.model import parameters, require_kind
 from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.comparison import as_ball
-from numerics.trajectory.rendering import right_digits_text, with_radius
+from numerics.trajectory.rendering import with_radius
 from numerics.trajectory.rows import Side
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
@@ -270,7 +270,7 @@ def add_sensitivities(record: dict[str, Any], trajectory: Trajectory) -> None:
     def written(name: str, value: arb) -> dict[str, str]:
         if name_of == "ball":
             return with_radius(name, value, digits)
-        return {name: right_digits_text(exact_middle(value), value.rad(), digits)}
+        return {name: str(value.str(digits, radius=False))}
 
     for row, derivatives in zip((*record["events"], record["final"]), _rows(found), strict=True):
         row["sensitivity"] = {of: reduce(or_, map(written, found.wrt, one)) for of, one in derivatives.items()}

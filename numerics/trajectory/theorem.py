@@ -1,6 +1,6 @@
 """A trajectory as a theorem for the proof kernel: its events, proved for every motion of the scene (`solve --proof`).
 
-Only modes and rough times are taken from the trajectory. Roots are found again, bounded by intervals (closed_forms.py).
+Only modes and rough times are taken from the trajectory. Roots are found again, bounded by balls (closed_forms.py).
 Nothing of it is trusted: the kernel's program (Trajectory.v) accepts the file only if all of it is true.
 
 Boxes forget how a state's numbers hang together, so they grow by some bits an event, while no two motions of a scene
@@ -14,7 +14,12 @@ import math
 from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
+from flint import arb
+
+from numerics.arithmetic.ball import exact_middle, widened
+from numerics.arithmetic.precision import precision
 from numerics.errors import NoProof
 from numerics.linear.modes import Mode
 from numerics.linear.pieces import polynomial_at
@@ -22,15 +27,14 @@ from numerics.scene import Law, Scene
 from numerics.scene.decimals import decimal_text
 from numerics.scene.model import PLAIN
 from numerics.trajectory.closed_forms import (
-    INTERVALS,
+    SPARE,
     SPARE_SIGN_BITS,
-    Forms,
-    StateForms,
+    Box,
+    Spell,
     Steady,
     TheoremRun,
     TooCoarse,
     Unseen,
-    Value,
     ends_of,
     number,
     outward,
@@ -42,14 +46,14 @@ from numerics.trajectory.trajectory import Trajectory
 
 SHOWN = 12
 """Digits of the bounds in a theorem, of the greatest time, place or velocity."""
-TRIES = ((64, False), (96, False), (72, True), (80, True), (96, True), (128, True), (256, True), (768, True))
-"""The precisions of the first state that are tried, with boxes that grow or with balls about other motions."""
+TRIES = (64, 96, 128, 192, 256, 384, 512, 768)
+"""The precisions of the first state that are tried."""
 SPARE_BITS, STEP_BITS = 32, 16
 """With how many bits more than it is known to a state is computed with, and in what steps these become fewer."""
 KERNEL_BITS = 8
-"""With how many bits more the kernel computes, which rounds elsewhere than mpmath."""
-WORN = 2.0**6
-"""How many times as large a box becomes before it is replaced by a ball."""
+"""With how many bits more the kernel computes, which rounds elsewhere."""
+WORN = 4.0**8
+"""How many times as large the square of a box becomes before it is replaced by a ball."""
 DOUBLINGS = 24
 """How often the time is doubled after which a damped stick is seen to be for ever."""
 DEPTH = 64
@@ -68,12 +72,12 @@ def theorem(trajectory: Trajectory) -> str:
     greatest = float(scene.until), abs(table["y"][[0, 2]]).max(), abs(table["y"][[1, 3]]).max()
     places = [SHOWN - (math.ceil(math.log10(size)) if size else 0) for size in greatest]
     times = table["t"][1:].tolist()
-    for bits, renewing in TRIES:
-        writer = _Writer(scene, places, bits, renewing=renewing)
+    for bits in TRIES:
+        writer = _Writer(scene, places, bits)
         try:
             return writer.text(trajectory, times)
         except TooCoarse as error:
-            reason = f"{TRIES[-1][0]} bits are too few for {len(times)} events; shorten until"
+            reason = f"{bits} bits are too few for {len(times)} events; shorten until"
             if isinstance(error, Unseen):
                 since = f"after t = {writer.run.time:.6g} s the checker does not see that the pair keeps its mode"
                 reason = (
@@ -120,51 +124,48 @@ def _steady(force: Steady) -> str:
     return f"Steady {_written(force.since)} {_list(map(_written, force.polynomial), '; ')} {tones}"
 
 
+def _edge(scene: Scene, spell: Spell) -> int:
+    """Return k if a pair starts in contact on the edge towards k, as far as the kernel decides that; or 0."""
+    pair, at, force = scene.pair, scene.initial, spell.force
+    if at.v1 != at.v2 or any(one.phase for one in force.tones):
+        return 0
+    pushed = polynomial_at(force.polynomial, -force.since) + sum(one.in_cosine for one in force.tones)
+    load, edge = pair.m2 * (pair.a2 * at.x1 + pair.a1 * at.v1 - pushed), spell.friction * pair.mass
+    return {-edge: 1, edge: -1}.get(load, 0)
+
+
 class _Writer:
     """The proof file of a scene, from event to event; `most` are the bits of the first state.
 
     `places`: how many decimal places are shown of a time (s), a place (m) and a velocity (m/s).
     """
 
-    def __init__(self, scene: Scene, places: list[int], most: int, *, renewing: bool) -> None:
-        self.scene, self.most, self.renewing = scene, most, renewing
+    def __init__(self, scene: Scene, places: list[int], most: int) -> None:
+        self.scene, self.most, self.bits, self.hints = scene, most, most, list[str]()
         self.places = dict(zip("txv", places, strict=True))
-        self.spells, self.hints = list(spells(scene)), list[str]()
-        self.forms = Forms(scene.pair, most)
-        self._begin(0)
-        at = scene.initial
-        self.run = TheoremRun.start(self.forms, (Fraction(0), at.x1, at.v1, at.x2, at.v2), self._edge())
+        self.spells, at = list(spells(scene)), scene.initial
+        first, *self.later = self.spells
+        with precision(most):
+            state = Box(*map(number, (Fraction(0), at.x1, at.v1, at.x2, at.v2)))
+            self.run = TheoremRun(scene.pair, first, 12 + most // 8, state, at.v1 == at.v2, _edge(scene, first))
+        self.fresh, self.radius = self._size(), Fraction(0)
         self.close: TheoremRun | None = None
-        self.radius, self.steps, self.fresh = Fraction(0), list[str](), self._size()
-
-    def _begin(self, index: int) -> None:
-        """Begin a spell."""
-        self.index = index
-        self.forms.begin(self.spells[index])
-
-    def _edge(self) -> int:
-        """Return k if the pair starts in contact on the edge towards k, as far as the kernel decides that; or 0."""
-        pair, at, force, friction = self.scene.pair, self.scene.initial, self.spells[0].force, self.spells[0].friction
-        if at.v1 != at.v2 or any(one.phase for one in force.tones):
-            return 0
-        pushed = polynomial_at(force.polynomial, -force.since) + sum(one.in_cosine for one in force.tones)
-        load = pair.m2 * (pair.a2 * at.x1 + pair.a1 * at.v1 - pushed)
-        return {-friction * pair.mass: 1, friction * pair.mass: -1}.get(load, 0)
+        self.steps: list[str] = []
 
     def text(self, trajectory: Trajectory, times: list[float]) -> str:
         """Return the file; the last of the times is the end."""
         events, last = [], trajectory.final_mode
         for event, time in zip(trajectory.events, times, strict=False):
             jump = event.cause == "jump"
-            self._rest_before(time, event.before, jump=jump)
+            self._pass(time, event.before, jump=jump)
             if jump:
-                self._rest(event.before, self.spells[self.index + 1].since, "Rest {bits} {until} {least} Breaks")
-                self._begin(self.index + 1)
+                self._rest(event.before, self.later[0].since, "Rest {bits} {until} {least} Breaks")
+                self.run.spell = self.later.pop(0)
             else:
                 self._hit(event.before, event.before.sign or event.after.sign, time)
             t, x1, v1, x2, _ = self.run.at
             events.append(f"Event {_written(event.before)} {self._bounds((t, x1, x2, v1), 'txxv')}")
-        self._rest_before(math.inf, last, jump=False)
+        self._pass(math.inf, last, jump=False)
         relative = self._rest(last, self.scene.until, "Last {bits} {least}")
         ends = self._bounds((*self.run.at[1:], relative), "xvxvv")
         ever = trajectory.status is Status.STUCK_FOR_EVER and self._for_ever()
@@ -179,95 +180,91 @@ class _Writer:
             answers=_list(f"({_steady(one.alone)}, {_steady(one.together)})" for one in self.spells),
             hints=";\n  ".join(self.hints),
             state=self.most + KERNEL_BITS,
-            sign=self.forms.sign_bits + SPARE_SIGN_BITS,
+            sign=self.run.signs + SPARE_SIGN_BITS,
             depth=DEPTH,
         )
 
-    def _rest_before(self, time: float, mode: Mode, *, jump: bool) -> None:
+    def _pass(self, time: float, mode: Mode, *, jump: bool) -> None:
         """Go through the spells that end before a time; if there is a jump, the one that ends with it stays."""
-        ending = [one.since for one in self.spells[self.index + 1 :] if one.since <= time]
-        for since in ending[: len(ending) - jump]:
-            if not (self.close and self._renewed(mode, since)):
-                self._rest(mode, since, "Rest {bits} {until} {least} Goes")
-            self._begin(self.index + 1)
+        ending = [one for one in self.later if one.since <= time]
+        for one in ending[: len(ending) - jump]:
+            self._rest(mode, one.since, "Rest {bits} {until} {least} Goes")
+            self.run.spell = self.later.pop(0)
+
+    def _size(self) -> float:
+        """Return how large the box is, and what rounding adds, in the energy norm; squared."""
+        at, energy = self.run.at[1:], self.scene.pair.energy
+        sizes = energy([one.rad() for one in at], number), energy([one.mid() for one in at], number) / 4**self.most
+        return sum(map(float, sizes))
 
     def _narrow(self) -> int:
         """Compute with no more bits than the state deserves; return with how many the kernel does."""
-        widths = [(float(one.delta.b), float(abs(one).b)) for one in self.run.at]
-        known = min((-math.log2(width / size) for width, size in widths if width and size), default=math.inf)
-        self.forms.narrow(STEP_BITS * math.ceil((min(known, self.most) + SPARE_BITS) / STEP_BITS))
-        return self.forms.bits + KERNEL_BITS
+        known = min((one.rel_accuracy_bits() for one in self.run.at if not one.contains(0)), default=self.most)
+        self.bits = min(self.bits, STEP_BITS * math.ceil((min(known, self.most) + SPARE_BITS) / STEP_BITS))
+        return self.bits + KERNEL_BITS
 
     def _hit(self, mode: Mode, k: int, time: float) -> None:
         """Go to the next event, with the motion that is close."""
-        if self.renewing and self._size() > WORN * self.fresh:
-            now = self.run.time
-            self._renewed(mode, Fraction(f"{(now + time) / 2:.{max(0, 2 - math.floor(math.log10(time - now)))}f}"))
+        now = self.run.time
+        if self._size() > WORN * self.fresh:
+            self._renew(mode, Fraction(f"{(now + time) / 2:.{max(0, 2 - math.floor(math.log10(time - now)))}f}"))
         bits = self._narrow()
-        self.hints.append(f"Hit {bits} {_written(*self.run.hit(mode, k, time, self.places['t']), k > 0)}")
-        if self.close:
-            low, high = self.close.hit(mode, k, time, self.places["t"])
-            self.steps.append(f"({_written(mode)}, {_written(low)}, {_written(high)}, {_written(k > 0)})")
+        with precision(self.bits):
+            low, high = self.run.hit(mode, k, time)
+            self.hints.append(f"Hit {bits} {_written(low, high, k > 0)}")
+            if self.close:
+                low, high = self.close.hit(mode, k, time)
+                self.steps.append(f"({_written(mode)}, {_written(low)}, {_written(high)}, {_written(k > 0)})")
 
-    def _rest(self, mode: Mode, time: Fraction, hint: str) -> Value:
+    def _rest(self, mode: Mode, time: Fraction, hint: str) -> arb:
         """Go on in a mode to a time, and return v1 - v2 there."""
         bits = self._narrow()
-        least, relative = self.run.rest(mode, time)
+        with precision(self.bits):
+            least, relative = self.run.rest(mode, time)
         self.hints.append(hint.format(bits=bits, until=_written(time), least=_written(least)))
         self.close, self.radius, self.steps = None, Fraction(0), []
         return relative
 
-    def _norm(self, at: StateForms) -> Value:
-        """Return the energy norm of a difference, sqrt(J)."""
-        pair = self.scene.pair
-        parts = (pair.a2, at.x1), (pair.m1, at.v1), (pair.m2, at.v2)
-        return INTERVALS.sqrt(sum(number(weight) * one**2 for weight, one in parts) / 2)
-
-    def _size(self) -> float:
-        """Return how large the box is, and what rounding adds, in the energy norm."""
-        widths = StateForms(*(one.delta for one in self.run.at))
-        return float(self._norm(widths).b) + float(self._norm(self.run.at).b) * 2.0**-self.most
-
-    def _renewed(self, mode: Mode, time: Fraction) -> bool:
-        """Go on to a time and replace the box by a ball about a new motion; return whether that is possible there."""
-        bits = self._narrow()
+    def _renew(self, mode: Mode, time: Fraction) -> None:
+        """Go on to a time and replace the box by a ball about a new motion, if the mode is sure to go on there."""
+        bits, pair = self._narrow(), self.scene.pair
         run, other = replace(self.run), replace(self.close or self.run)
-        try:
-            least = max(one.rest(mode, time)[0] for one in (run, other))
-        except TooCoarse:
-            return False
-        box = other.at.x1, other.at.v1, other.at.v2
-        places = 1 - math.floor(math.log10(min(float(one.delta.b) for one in box) or 2.0**-self.most))
-        x1, v1, v2 = (sum(outward(one, places), Fraction(0)) / 2 for one in box)
-        centre = TheoremRun.start(self.forms, (time, x1, v1, Fraction(0), v2))
-        away = self._norm(StateForms(*(one - at for one, at in zip(other.at, centre.at, strict=True))))
-        radius, pair = self.radius + Fraction(f"{1.25 * float(away.b):.2e}"), self.scene.pair
-        for name, weight in (("x1", pair.a2), ("v1", pair.m1), ("v2", pair.m2)):
-            arm = number(radius) * INTERVALS.sqrt(2 / number(weight)) * INTERVALS.mpf([-1, 1])
-            run.at = run.at._replace(**{name: getattr(centre.at, name) + arm})
-        if not all(run.guard(mode, k)(number(Fraction(0))) > 0 for k in ends_of(mode)):
-            return False
+        with precision(self.bits):
+            try:
+                least = max(one.rest(mode, time)[0] for one in (run, other))
+            except TooCoarse:
+                return
+            x1, v1, _, v2 = (exact_middle(one) for one in other.at[1:])
+            centre = run.start(time, x1, v1, Fraction(0), v2)
+            away: Any = pair.energy([one - at for one, at in zip(other.at[1:], centre.at[1:], strict=True)], number)
+            radius = self.radius + Fraction(f"{SPARE * math.sqrt(float(away.upper())):.2e}")
+            for name, weight in (("x1", pair.a2), ("v1", pair.m1), ("v2", pair.m2)):
+                arm = number(radius) * number(2 / weight).sqrt()
+                run.at = run.at._replace(**{name: widened(getattr(centre.at, name), arm)})
+            if not all(run.guard(mode, k)(arb(0)) > 0 for k in ends_of(mode)):
+                return
         renews = f"(Renews {_list(self.steps, '; ')}\n    (Close {_written(time, x1, v1, v2, radius)}))"
         self.hints.append(f"Rest {bits} {_written(time, least)} {renews}")
         self.run, self.close, self.radius, self.steps = run, centre, radius, []
         self.fresh = self._size()
-        return True
 
     def _for_ever(self) -> bool:
         """Go on in a stick that does not end until its energy shows that; return whether that is shown."""
-        scene, force = self.scene, self.spells[self.index].force
+        scene, force = self.scene, self.run.spell.force
         changes = max((*scene.force.starts, *scene.friction.starts), default=Fraction(0)) >= scene.until
         if changes or force.tones or any(force.polynomial[1:]):
             return False
         least = Fraction(f"{math.sqrt(scene.pair.mass / scene.pair.a2) / 8:.1g}")
         for doubling in range(DOUBLINGS if scene.pair.a1 else 1):
             left = least * 2**doubling
-            if self.forms.spare(self.forms.moved(Mode.STICK, self.run.at, number(left))) > 0:
+            with precision(self.bits):
+                is_kept = self.run.is_kept(number(left))
+            if is_kept:
                 self._rest(Mode.STICK, scene.until + left, "Ever {bits} {until} {least}")
                 return True
         return False
 
-    def _bounds(self, boxes: tuple[Value, ...], kinds: str) -> str:
+    def _bounds(self, boxes: tuple[arb, ...], kinds: str) -> str:
         """Return decimal bounds of each box, a time, place or velocity; raises TooCoarse for one that is too wide."""
         found = []
         for box, kind in zip(boxes, kinds, strict=True):

@@ -12,15 +12,16 @@ from flint import arb
 from numerics.arithmetic.by_name import arithmetic_named
 from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Number
+from numerics.linear.errors_of import JUDGED
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
-from numerics.linear.record import END_ROW, ROW, How, Knot, Record
+from numerics.linear.record import How, Knot, Record
 from numerics.meter import meter
-from numerics.scene.model import Law
 from numerics.trajectory.checked import Check
 from numerics.trajectory.columns import Array
 from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
 from numerics.trajectory.in_units import Reduced
+from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.rows import Rows
 from numerics.trajectory.saved import plain
 from numerics.trajectory.status import Status
@@ -30,8 +31,6 @@ if TYPE_CHECKING:
 
     from numerics.scene.decimals import Quantity
 
-_MANY_EVENTS = 250_000
-"""Nobody asks for more of them, one by one."""
 Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
 
 
@@ -58,8 +57,8 @@ class Trajectory(Rows):
     ([16, 15, 1], [(16, 4), (15, 4), (1, 4)])
     >>> run.sol([[0.5, 1.0], [1.5, 2.0]]).shape, run.mode_at(0.5).value
     ((4, 2, 2), 'slip+')
-    >>> run.arithmetic.name, run.right_digits == run.accuracy.digits, run.without_digits, run.certain, run.phase_lost
-    ('float64', True, (), True, False)
+    >>> run.arithmetic.name, run.right_digits == run.accuracy.digits, run.without_digits, run.certain
+    ('float64', True, (), True)
     >>> run.check().right  # what its numbers are really off by is within its bounds
     True
     >>> solve(run.scene, digits=20).digits, solve(run.scene, t_eval=[0, 1]).t_eval
@@ -88,9 +87,8 @@ class Trajectory(Rows):
     True
     """
 
-    FORMAT = "inertial-pair trajectory 4"
-    ARITHMETICS = ("float64", "mpmath", "ball")
-    COLUMNS = ("t", "y", "energy", "energy_excess")
+    FORMAT = "inertial-pair trajectory 5"
+    ENERGIES = ("energy", "energy_excess")
 
     # ------------------------------------------------------------------ how it ended
     def look_up_times(self) -> None:
@@ -106,7 +104,7 @@ class Trajectory(Rows):
             return Status.EVENT_LIMIT
         if not self.certain:
             return Status.SEQUENCE_OPEN
-        if self.without_digits:
+        if self.digits is None and self.without_digits:
             return Status.NO_RIGHT_DIGIT
         is_stuck = self.record.how == How.STUCK and not self.scene.changes_later
         return Status.STUCK_FOR_EVER if is_stuck else Status.REACHED_HORIZON
@@ -114,31 +112,16 @@ class Trajectory(Rows):
     @property
     def message(self) -> str:
         """Return the sentence that says how the solve ended, of what no digit is right, whether the phase was lost."""
-        if self.status is Status.EVENT_LIMIT and not (self.scene.is_forced or self.scene.pair.a1):
-            all_events = self.record.events * float(self.scene.until) / self.arithmetic.to_float(self.end_time)
-            if all_events > _MANY_EVENTS and self.scene.law is Law.FILIPPOV:
-                return super().message.replace("shorten until", "use `inertial-pair energy` for a late time")
         said = super().message.replace("a quantity", " and ".join(self.without_digits))
         if 0 < self.right_digits <= FEW_DIGITS and any(float(one) for one in self.y[1::2].ravel()):
-            least = " and ".join(self._judged.least)
+            least = " and ".join(self._with_digits(self.right_digits))
             said += f"; right digits of the {least}: only {self.right_digits}; request digits"
-        if not self.phase_lost:
+        if self.bounded or self._is_ball:
             return said
-        return (
-            f"{said}; {self.arithmetic.digits} digits keep no phase over the last segment: at the end the mode and the "
-            "energy are known, x1, v1, x2 and v2 are not; use ball arithmetic"
-        )
-
-    @property
-    def phase_lost(self) -> bool:
-        """Whether the last segment of a free motion is too long for the digits of its phase; always False for balls."""
-        if self._is_ball or self.scene.is_forced:
-            return False
-        with self.context():
-            angle = self.frame.rate * self.row_column("length")[-1]
-            # what has decayed is no rounding yet
-            damped = self.arithmetic.to_float(self.frame.two_zeta * angle)
-        return bool(angle > 10 ** (self.arithmetic.digits - 3) and damped < 5 * self.arithmetic.digits)
+        with self.context():  # in mpmath, which solves free pairs alone, nothing else tells
+            is_lost = self.frame.rate * self.row_column("length")[-1] > 10 ** (self.arithmetic.digits - 3)
+        lost = "keep no phase over the last segment: at the end x1, v1, x2 and v2 are not known; use ball arithmetic"
+        return f"{said}; {self.arithmetic.digits} digits {lost}" if is_lost else said
 
     @cached_property
     def accuracy(self) -> Accuracy | None:
@@ -152,12 +135,16 @@ class Trajectory(Rows):
     @property
     def right_digits(self) -> int:
         """Return how many digits its error bounds or balls leave right (digits.py); 0 without either."""
-        return self._judged.digits
+        most = MOST_DIGITS if self.bounded else self.arithmetic.digits
+        return min(most, *self._judged.right) if self.certain and self._judged.right else 0
 
     @property
     def without_digits(self) -> tuple[str, ...]:
         """Return the quantities of which no digit is right: an error bound, or a radius, is as large as they are."""
-        return () if self._judged.digits else self._judged.least
+        return self._with_digits(0) if 0 in self._judged.right else ()
+
+    def _with_digits(self, most: int) -> tuple[str, ...]:
+        return tuple(name for name, right in zip(JUDGED, self._judged.right, strict=False) if right <= most)
 
     # ------------------------------------------------------------------ events and segments
     @cached_property
@@ -346,27 +333,12 @@ class Trajectory(Rows):
 
     def kept(self) -> dict[str, Any]:
         """Return what the run wrote, as what JSON holds."""
-        rows, end, how, *rest = self.record
-        return {"rows": plain(rows), "end": plain(end), "how": int(how), "rest": plain(rest)}
+        return {"record": plain(self.record)}
 
     @classmethod
     def restored(cls, scene: Any, header: dict[str, Any]) -> Self:
-        """Return the trajectory of a scene with what its run wrote. Raises ValueError, and what others' files can."""
-        (name, digits), (events, certain) = header["arithmetic"], header["rest"]
-        rows: Any
-        end: Any
-        if name == "float64":
-            rows, end = (np.array(header[one], dtype=float) for one in ("rows", "end"))
-            if rows.shape[1:] != (ROW,) or end.shape != (END_ROW,):
-                raise ValueError("its rows have other lengths")
-        else:
-            *rows, end = (Knot(*one)._replace(cell=tuple(one[-1])) for one in (*header["rows"], header["end"]))
-        record = Record(rows, end, How(header["how"]), events, certain)
-        found = cls(scene, arithmetic_named(name, digits), record)
-        if not (
-            np.isin(found.row_signs, (-1, 0, 1)).all() and np.isin(found.row_pieces, range(len(found.pieces))).all()
-        ):
-            raise ValueError("its rows are not those of a run of its scene")
-        if not 0 <= events < len(rows):
-            raise ValueError("its count of events is not that of its rows")
-        return found
+        """Return the trajectory of a scene with what its run wrote."""
+        rows, end, how, *rest = header["record"]
+        if not isinstance(rows, np.ndarray):
+            *rows, end = (Knot(*one) for one in (*rows, end))
+        return cls(scene, arithmetic_named(*header["arithmetic"]), Record(rows, end, How(how), *rest))

@@ -15,7 +15,6 @@ import pytest
 from every_number import batch_held
 from hypothesis import given
 from hypothesis import strategies as st
-from kernel_runs import a_scene
 
 from numerics import (
     EventUndecided,
@@ -99,6 +98,12 @@ def test_what_arrays_leave_open_is_said_in_a_sentence():
     assert "scene [0, 1]: " in repr(solve_many(**PAPER | {"v1": [[0.15], [0.1]], "until": [3.0, third]}))
 
 
+def test_arrays_are_binary_numbers_also_where_scenes_are_made_of_them_unless_they_are_exact():
+    """The float next to 1/200 lies beyond the edge of the sliding region, on which the exact one sticks."""
+    given = PAPER | {"x1": 0.005, "force": Force.constant(0)}
+    assert [solve_many(**given, exact=one).events.item() for one in (True, False)] == [0, 31]
+
+
 GRID = {"v1": [0.1, 0.2], "b": [[0.05], [0.1], [0.2]]}
 SHAPES = {
     "one": ({"v1": 0.1, "keep_events": 2}, ()),
@@ -117,17 +122,6 @@ def test_all_arrays_and_tables_have_the_shape_of_what_is_given(name):
     assert (found.y.shape, found.event_y.shape) == ((4, *shape), (4, *shape, given.get("keep_events", 0)))
     assert len(found.to_dataframe()) == len(found) == np.prod(shape)
     assert len(found.to_xarray().sizes) == len(shape)
-
-
-def test_scenes_of_a_list_do_not_know_of_each_other():
-    """Forces and frictions by pieces: the same bits."""
-    scenes = [a_scene(np.random.default_rng((7, k))) for k in range(60)]
-    found = solve_scenes(scenes, keep_events=5, max_events=40)
-    for k, scene in enumerate(scenes):
-        alone = solve_scenes([scene], keep_events=5, max_events=40)
-        for name in ("y", "y_error", "event_y", "event_y_error"):
-            assert np.array_equal(getattr(found, name)[:, k], getattr(alone, name)[:, 0], equal_nan=True)
-        assert (found.status[k], found.dissipated[k]) == (alone.status, pytest.approx(alone.dissipated, nan_ok=True))
 
 
 @given(st.integers(0, 2**32 - 1), st.sampled_from(Law))

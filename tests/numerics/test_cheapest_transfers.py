@@ -58,7 +58,16 @@ def least_peak(pair, far, until, cells=400):
 PROGRAMS = {"energy": (least_energy, 5e-3), "peak": (least_peak, 2e-2)}
 """Of each cost the program, and how good it is."""
 EDGE = Pair("0.8995", "0.1586", "90.4", "0.01315")
-PAIRS = {"free": FREE, "damped": DAMPED, "stiff": STIFF, "heavy": HEAVY, "overdamped": OVERDAMPED, "edge": EDGE}
+SLOWED = Pair("0.675", "3.963", "20.175", "7.633", "8.787")
+PAIRS = {
+    "slowed": SLOWED,
+    "free": FREE,
+    "damped": DAMPED,
+    "stiff": STIFF,
+    "heavy": HEAVY,
+    "overdamped": OVERDAMPED,
+    "edge": EDGE,
+}
 ASKED = """
 energy free        0.01    0.3     at the limit in the end
 energy free        0.01    0.283   at both ends
@@ -81,6 +90,7 @@ peak   free        0.0125  0.33    its peak is kept on the way
 peak   free        0.01    0.76    half a turn under a constant force: it never slips, D = 2 L
 peak   damped     -0.05    0.9     it comes to rest under the peak
 peak   damped      0.015   0.5     the same, kept on the way, too
+peak   slowed      1.898   3.2     slower as it begins to brake: once it slipped
 """
 
 

@@ -1,7 +1,6 @@
 """`run.check()`: a true run passes; a number, an event or a mode that is falsified is found and named."""
 
 import json
-from dataclasses import replace
 
 import pytest
 
@@ -61,12 +60,6 @@ def test_a_falsified_number_is_named_with_its_event(name, column):
     assert [one.quantity for one in found.off if not one.within and one.event == 7] == [name]
 
 
-def test_a_bound_that_is_too_small_is_named():
-    proud = RUN.but()
-    proud.__dict__["accuracy"] = replace(RUN.accuracy, y=RUN.accuracy.y * 1e-9)
-    assert [one.quantity for one in proud.check().off if not one.within] == [*STATE]
-
-
 @pytest.mark.parametrize("event", [1, 5])
 def test_a_falsified_mode_is_the_first_event_that_differs_and_only_what_is_before_it_is_compared(event):
     found = falsified(int(RUN.event_rows[event - 1]), mode=1 - abs(RUN.signs[event])).check()
@@ -93,6 +86,4 @@ def test_a_lost_event_and_an_invented_one_are_named():
 
 def test_the_command_prints_it(run, record):
     assert record("solve", "velocities", "--check")["right"] is True
-    code, out, _ = run("solve", "velocities", "--check")
-    assert code == 0
-    assert "really off by" in out
+    assert "really off by" in run("solve", "velocities", "--check")[1]

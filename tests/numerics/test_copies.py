@@ -4,10 +4,10 @@ What is no saved trajectory is refused in a sentence.
 """
 
 import copy
-import json
 import math
 import pickle
 from fractions import Fraction
+from hashlib import sha256
 
 import numpy as np
 import pytest
@@ -137,45 +137,32 @@ def test_every_ball_at_whatever_precision_is_set(ball):
 # what is no saved trajectory
 
 
-def header_of(path):
-    with np.load(path) as archive:
-        return archive["header"].tobytes().decode()
-
-
-def write_header(path, text):
-    """Write an archive with this header as `save` does."""
-    data = text if isinstance(text, bytes) else text.encode()
-    np.savez_compressed(path, header=np.frombuffer(data, np.uint8))
-
-
-WRONG = "another", [99], [10**9, True, 0, 0, 0], [[math.nan] * 30]
-"""In the place of any part of a header but texts that are only shown."""
 WRITTEN = [
     b"[" * 200_000,
     b"{}",
     b"7",
     b"\xff\xfe",
-    b'{"format": "inertial-pair trajectory 4"}',
-    b'{"ball": ["0x1", ' + b"9" * 300 + b', "0x0", 0]}',
+    b'{"format": "inertial-pair trajectory 5"}',
     b'{"ratio": ["0x1", "0x0"]}',
-    b'{"floats": ["AAAA", 1000000000000]}',
 ]
 
 
-@pytest.mark.parametrize(("scene", "arithmetic"), [(PAPER, "decimal"), (PLANE, "mpmath")])
-def test_a_file_with_another_header_is_refused_in_a_sentence(tmp_path, scene, arithmetic):
+@pytest.mark.parametrize("scene", [PAPER, PLANE])
+def test_a_file_with_another_header_is_refused_in_a_sentence(tmp_path, scene):
+    """Also with a digest that fits, as of another program."""
     path, run = tmp_path / "run.npz", solve(scene)
     run.save(path)
-    right = json.loads(header_of(path))
-    write_header(path, json.dumps(right))
-    assert type(run).load(path) == run
-    changes = [{name: one} for name in right.keys() - {"tried", "mode"} for one in WRONG]
-    changes.append({"arithmetic": [arithmetic, 20]})
-    for wrong in [*WRITTEN, *(json.dumps(right | one) for one in changes)]:
-        write_header(path, wrong)
-        with pytest.raises(InvalidFile, match=r"holds no saved trajectory.*; give a file that `save`") as found:
-            type(run).load(path)
-        assert "\n" not in str(found.value), wrong
+    with np.load(path) as archive:
+        right, digest = archive["header"].tobytes(), archive["digest"].tobytes()
+    changed = right.replace(b"0x1", b"0x3", 1) if scene is PLANE else right.replace(b'"A', b'"B', 1)
+    for wrong in [*WRITTEN, changed]:
+        for its in {digest, digest if wrong is changed else sha256(wrong).digest()}:
+            np.savez_compressed(
+                path, **{name: np.frombuffer(one, np.uint8) for name, one in (("header", wrong), ("digest", its))}
+            )
+            with pytest.raises(InvalidFile, match=r"holds no saved trajectory.*; give a file that `save`") as found:
+                type(run).load(path)
+            assert "\n" not in str(found.value), wrong
 
 
 @pytest.mark.parametrize(("scene", "kind"), [(PAPER, Trajectory), (PLANE, PlaneTrajectory)])

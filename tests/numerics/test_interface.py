@@ -57,7 +57,7 @@ def public(kind):
 
 
 CLASSES = [one for name in dir(numerics) if inspect.isclass(one := getattr(numerics, name))]
-INNER = """ARITHMETICS COLUMNS EVENT_COLUMNS FORMAT but columns context end_bounds end_numbers energy_of event_rows
+INNER = """ENERGIES EVENT_COLUMNS FORMAT but columns context end_bounds end_numbers energy_of event_rows
 floats frame kept look_up_times made of pieces require_filippov restored row signs"""
 FOR_THE_HOUSE = {*INNER.split(), *(name for name in public(numerics.Trajectory) if name.startswith("row_"))}
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "guide.md").read_text("utf-8")

@@ -1,6 +1,5 @@
 """How many digits are right: one rule for bounds and radii, and the arithmetic that has as many as were asked for."""
 
-from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
@@ -11,10 +10,10 @@ from strategies import decimals, signed
 from three_scenes import DAMPED, PAPER
 
 from numerics import Force, Pair, Piece, Scene, State, load_scene, solve, solve_scenes
-from numerics.arithmetic.ball import Ball, widened
+from numerics.arithmetic.ball import Ball, exact_middle, widened
 from numerics.linear.record import AT
 from numerics.trajectory.digits import proved_digits
-from numerics.trajectory.rendering import right_digits_text
+from numerics.trajectory.rendering import with_radius
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
@@ -40,13 +39,16 @@ def test_the_worst_ball_counts_beside_one_that_contains_zero(speed, digits):
 
 
 def doubtful(run, place, k, off):
-    """The run if a number of a row of its record were off by so much: time, x1, v1, x2, v2; the last row is the end."""
+    """The run if a number of a row of its record were off by so much: time, x1, v1, x2, v2, in balls the excess.
+
+    The last row is the end.
+    """
     rows = [*run.record.rows, run.record.end]
     if run.bounded:
         rows[place] = rows[place].copy()
         rows[place][AT["late"] + k] = off
     else:
-        name = ("local", "x1", "v1", "x2", "v2")[k]
+        name = ("local", "x1", "v1", "x2", "v2", "excess")[k]
         with run.context():
             rows[place] = rows[place]._replace(**{name: widened(getattr(rows[place], name), arb(off))})
     *rows, end = rows
@@ -121,9 +123,10 @@ def test_a_sequence_in_doubt_is_settled_by_the_next_arithmetic_and_nothing_is_ca
 
 
 @given(signed(decimals(-9, 9, 18)), decimals(-30, 5))
-def test_the_true_value_is_within_a_unit_of_the_last_place_of_a_text(value, error):
-    text = Decimal(right_digits_text(value, Ball.number(error), 17))
-    assert abs(Fraction(text) - value) + error <= Fraction(10) ** text.as_tuple().exponent
+def test_what_is_printed_of_a_ball_holds_it(value, error):
+    ball = arb(Ball.number(value), Ball.number(error))
+    text, radius = map(Fraction, with_radius("x", ball, 15).values())
+    assert abs(exact_middle(ball) - text) + exact_middle(ball.rad()) <= radius
 
 
 # quantities of which no digit is right
@@ -149,6 +152,8 @@ def test_an_answer_without_a_right_digit_is_no_success(arithmetic):
     assert (found.status, found.success) == (Status.NO_RIGHT_DIGIT, False)
     assert found.without_digits[0] == "positions"
     assert "no digit of positions" in found.message
+    if arithmetic == "ball":
+        assert doubtful(solve(PAPER, arithmetic=arithmetic), -1, 5, 1e5).without_digits == ("energy excess",)
 
 
 @pytest.mark.parametrize("arithmetic", ["float64", "ball"])

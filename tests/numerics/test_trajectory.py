@@ -72,10 +72,10 @@ def test_what_is_lost_over_a_ball_of_times_holds_what_is_lost_up_to_each(scene):
     run = solve(scene, digits=20, arithmetic="ball")
     with run.context():
         for row, length in enumerate(run.row_lengths[:3]):
-            motion = run.row_motion(row)
-            wide = motion.taken(length / 2 + arb(0, 1) * length / 4)
-            for share in (0.3, 0.5, 0.7):
-                assert all(one.contains(two) for one, two in zip(wide, motion.taken(length * share), strict=True))
+            wide, *inside = run.row_taken(
+                [row] * 4, [length / 2 + arb(0, 1) * length / 4, *(length * k / 10 for k in (3, 5, 7))]
+            ).T
+            assert all(one.contains(two) for taken in inside for one, two in zip(wide, taken, strict=True))
 
 
 def test_a_stick_of_thousands_of_turns_keeps_its_ledger():

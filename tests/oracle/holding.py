@@ -11,8 +11,8 @@ from flint import acb, arb
 from numerics import NumericsError, Scene, solve
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import precision
-from numerics.solver.truth import record
 from numerics.trajectory.comparison import as_ball
+from numerics.trajectory.export import as_record
 from oracle.reading import scene_of
 
 BITS = 5000
@@ -67,7 +67,7 @@ def outcome(case: Case) -> tuple[str, list[str]]:
     """What came of a case: an error, "open" where there is nothing to compare, or "right"; and what differs."""
     try:
         run = solve(case.scene, **case.asked)
-        record(run, [])  # what has no bounds is held against balls before it is printed
+        as_record(run, [])  # what has no bounds is held against balls before it is printed
     except NumericsError as error:
         return type(error).__name__, [] if type(error).__name__ in case.right else [str(error)]
     if "right" not in case.right or ("open" in case.right and not run.certain):
@@ -141,7 +141,7 @@ def given(run: Any) -> Callable[[int], tuple[Any, Any]]:
 
     What nothing bounds is taken as it is printed.
     """
-    printed = None if run.bounded else record(run)
+    printed = None if run.bounded else as_record(run)
 
     def numbers(n: int) -> tuple[Any, Any]:
         if printed is not None:

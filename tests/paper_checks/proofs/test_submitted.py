@@ -74,8 +74,7 @@ def written(monkeypatch):
 
     def proof_of(what):
         if what == "balls":
-            monkeypatch.setattr(writer, "TRIES", ((80, True),))
-            monkeypatch.setattr(writer, "WORN", 2.0)
+            monkeypatch.setattr(writer, "WORN", 4.0)
         return proof(SMALL if what == "small" else FORCED)
 
     return proof_of
@@ -84,7 +83,6 @@ def written(monkeypatch):
 A_DIGIT = r"(Event Stick )\((\S+), (\S+)\)"
 CLOSE = r"(Close \S+ \S+ \S+ \S+) \S+\)"
 FALSE = {
-    "a digit": ("small", A_DIGIT, later),
     "a sign": ("small", r"\(0.000155723243408, 0.000155723243409\)", "(-0.0001557233, -0.0001557232)"),
     "the friction": ("small", r"Spell 0 0\.05 ", "Spell 0 0.0501 "),
     "the last mode": ("small", r"Ending \(Slip true\)", "Ending Stick"),
