@@ -1,4 +1,4 @@
-"""Scenes of all five signals in balls: values of an independent solver, a closed form, ties, long sticks."""
+"""Scenes of all five signals in balls: values of an independent solver, ties, long sticks."""
 
 import json
 

@@ -17,17 +17,17 @@ def decimal(value):
     return Fraction(str(sp.N(value, DECIMALS + 5))).limit_denominator(10**DECIMALS)
 
 
-def member(speed, periods=1):
-    """The member with this speed (m/s) at the exit, solved over some periods."""
+def member(speed):
+    """The member with this speed (m/s) at the exit, solved over a period."""
     half, pieces = jump.SLIP_TIME + jump.stick_time(), []
-    for number in range(2 * periods):
+    for number in range(2):
         begin = number * half
         pieces += [
             Piece(decimal(begin), ((-1) ** number * decimal(jump.PUSH),)),
             Piece(decimal(begin + jump.SLIP_TIME), (0,)),
         ]
     place = decimal(jump.exit_state()[0].subs(jump.speed, sp.Rational(speed)))
-    scene = Scene(Pair(1, 1, 1, 1), State(place, speed, 0, speed), decimal(2 * periods * half), force=Force(pieces))
+    scene = Scene(Pair(1, 1, 1, 1), State(place, speed, 0, speed), decimal(2 * half), force=Force(pieces))
     return solve(scene, digits=60, arithmetic="ball")
 
 

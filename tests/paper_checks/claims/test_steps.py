@@ -1,4 +1,4 @@
-"""Another scene, another printed formula, a step without one of its conditions: what must not pass does not."""
+"""Another scene, another printed formula, another bound: what must not pass does not."""
 
 from dataclasses import replace
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""CITATION.cff has what its schema requires, and says what pyproject.toml, the package and the BibTeX entries say."""
+"""CITATION.cff says what pyproject.toml, the package and the BibTeX entries say."""
 
 import re
 import tomllib
