@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod HeavyDamper Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneEnergy OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurnedFrame TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod HeavyDamper Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneEnergy OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurnedFrame TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -43,12 +43,6 @@ To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, a forc
 uses: driven-acceleration". Abort.
 Check @LeastTimeTransfer.arrival_needs.
 Print Assumptions LeastTimeTransfer.arrival_needs.
-
-Goal True. idtac "== bounded-stay
-A stay off $S$ lasts at most $2\sqrt{2Em_2}/b$.
-uses: no other". Abort.
-Check @Pair.dwell.
-Print Assumptions Pair.dwell.
 
 Goal True. idtac "== captive-merges
 Once its energy is below the captive level, a solution sticks permanently after a bounded time.
@@ -158,12 +152,6 @@ uses: depth-upper, h-increases, turning-point". Abort.
 Check @RateBounds.cycle_time_exact.
 Print Assumptions RateBounds.cycle_time_exact.
 
-Goal True. idtac "== cycle-time-sharp
-With $r\,c^2<h^2$ the time of a cycle differs from $\pi/\Omega$ by at most $\tfrac{27}{2}\sqrt q\,h^3/\Omega$ where $h=\sqrt{w/q}\leqslant\tfrac{2}{3}$: by a constant times $w^{3/2}$.
-uses: depth-upper, h-increases, turning-point". Abort.
-Check @CycleTime.cycle_time_sharp.
-Print Assumptions CycleTime.cycle_time_sharp.
-
 Goal True. idtac "== damper-breaks
 A free pair, stuck at $x_1=0$ with $v_1>0$, slips at once if $a_1>b(m_1+m_2)/(m_2v_1)$.
 uses: free-case, mode-slip". Abort.
@@ -220,7 +208,7 @@ Print Assumptions Forced.only_gentle.
 
 Goal True. idtac "== edges-isolated
 Around every time of a solution: with $v_1=v_2$ (3) gives an acceleration of absolute value below $b/m_2$, but perhaps at that time itself.
-uses: free-case, mode-slip, mode-stick, no-zeno, stuck-load". Abort.
+uses: free-case, interface-no-zeno, interface-one-strength, mode-slip, mode-stick, stuck-load". Abort.
 Check @EdgesIsolated.edges_isolated.
 Print Assumptions EdgesIsolated.edges_isolated.
 
@@ -259,12 +247,6 @@ $\dot E=-b|v_1-v_2|-a_1v_1^2$ at every time, from the right.
 uses: no other". Abort.
 Check @Pair.energy_rate.
 Print Assumptions Pair.energy_rate.
-
-Goal True. idtac "== entrained-iff
-The stuck response to a sinusoidal force is a solution exactly if its amplitude is at most $U_*$.
-uses: driven-acceleration". Abort.
-Check @Entrainment.entrained_iff.
-Print Assumptions Entrainment.entrained_iff.
 
 Goal True. idtac "== entrains
 With $a_1>0$ every motion tends to the stuck response to a sinusoidal force of amplitude up to $U_*$.
@@ -367,12 +349,6 @@ From beyond $S_0$, or from an exit ray, a solution returns to $S_0$ after finite
 uses: crossing, energy-decreases, gap-slip, h-increases". Abort.
 Check @ReturnToS0.returns.
 Print Assumptions ReturnToS0.returns.
-
-Goal True. idtac "== first-slip
-From $S_0$ above $E_{cr}$: stick, one slip, and merging there exactly if $h^2\leqslant r\,c^2$.
-uses: arc-to-ray, first-landing". Abort.
-Check @AfterOneSlip.first_slip.
-Print Assumptions AfterOneSlip.first_slip.
 
 Goal True. idtac "== follow
 A solution that meets the start of an explicit arc that satisfies the law follows it.
@@ -493,12 +469,6 @@ Any force that brakes: the path of the slip is at most $E(0)/\beta$ long, what m
 uses: no other". Abort.
 Check @MonotoneInclusion.brakes_synchronise.
 Print Assumptions MonotoneInclusion.brakes_synchronise.
-
-Goal True. idtac "== input-to-state
-Under two continuous forces $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference.
-uses: no other". Abort.
-Check @Forced.input_to_state_integral.
-Print Assumptions Forced.input_to_state_integral.
 
 Goal True. idtac "== interface-contraction
 Two motions under one force with a friction of one strength $b$ along both, as any $b(t)$ has, never move apart in the energy norm.
@@ -662,12 +632,6 @@ uses: no other". Abort.
 Check @ShortSlipMargin.margin.
 Print Assumptions ShortSlipMargin.margin.
 
-Goal True. idtac "== merges-iff
-From $S_0$ with slip angle up to $\pi$: $E>E_{cr}$ at all later times exactly if $r\,c^2<h^2$.
-uses: arc-to-ray, first-landing, never-merges". Abort.
-Check @FirstLanding.merges_iff.
-Print Assumptions FirstLanding.merges_iff.
-
 Goal True. idtac "== merging
 Once its energy is at most $E_{cr}$, a solution merges with an ellipse within a bounded time.
 uses: capture, contact, energy-decreases". Abort.
@@ -740,12 +704,6 @@ uses: forced-approach". Abort.
 Check @Drift.no_drift.
 Print Assumptions Drift.no_drift.
 
-Goal True. idtac "== no-first-merging
-If $m_1/m_2>-\cos 2\varphi^*$, nothing on $S_0$ above $E_{cr}$ merges at the end of its first slip.
-uses: depth-upper, first-slip, h-increases, merging-threshold, turning-point". Abort.
-Check @AlternatingSlips.no_first_merging.
-Print Assumptions AlternatingSlips.no_first_merging.
-
 Goal True. idtac "== no-low-level
 For $m_1/m_2>-\cos 2\varphi^*$: no slip from $S$, whatever its gap and initial speed, ends at or below $E_{cr}$.
 uses: merging-threshold". Abort.
@@ -758,12 +716,6 @@ uses: arc-to-ray, cycle-time, depth-lower, depth-upper, dichotomy, energy-decrea
 Check @SharpLaw.no_merging_from_S0.
 Print Assumptions SharpLaw.no_merging_from_S0.
 
-Goal True. idtac "== no-solution-inside
-With $\mathrm{sgn}(0)=0$ in place of the set-valued sign Coulomb's law has no solution from a contact with $0<|a_2x_1+a_1v_1|<b(m_1+m_2)/m_2$.
-uses: filippov-forced, mode-stick". Abort.
-Check @Switching.no_solution_inside.
-Print Assumptions Switching.no_solution_inside.
-
 Goal True. idtac "== no-solution-under-control
 Case study, $b=0.5$, from rest at 0 under $u=1+50t^2$: (3), (4) have no solution.
 uses: literal-solutions". Abort.
@@ -775,12 +727,6 @@ From every energy above $E_{cr}$ some solutions never merge and are arbitrarily 
 uses: arc-begins, energy-decreases, free-case, no-merging-from-S0". Abort.
 Check @UniformRate.no_lower_constant.
 Print Assumptions UniformRate.no_lower_constant.
-
-Goal True. idtac "== no-zeno
-Under a piecewise analytic force every bounded time interval has finitely many mode changes.
-uses: mode-slip, mode-stick". Abort.
-Check @FinitelyManyModes.no_zeno.
-Print Assumptions FinitelyManyModes.no_zeno.
 
 Goal True. idtac "== nonstop-above-resonance
 $a_1=0$ and $\omega$ above body 1's own frequency: the motion of nonstop-iff exists exactly from $U_{**}$ on, without a condition.
@@ -829,12 +775,6 @@ $a_1=0$: the theorem nonstop-iff with $U_{**}$ in closed form, off the resonance
 uses: nonstop-iff". Abort.
 Check @NonstopUndamped.undamped_iff.
 Print Assumptions NonstopUndamped.undamped_iff.
-
-Goal True. idtac "== one-body
-While stuck the pair moves as one damped body.
-uses: no other". Abort.
-Check @Viscous.one_body.
-Print Assumptions Viscous.one_body.
 
 Goal True. idtac "== one-contact
 Every slip from $S$ with a gap $d\geqslant 0$ and a push $\nu$ ($\nu>0$ if $d=0$) ends at the one angle with $\nu=h-d\cot(\theta/2)$.
@@ -933,14 +873,14 @@ Check @Forced.reach.
 Print Assumptions Forced.reach.
 
 Goal True. idtac "== resonance-edge
-With $a_1=0$, under $u=\frac{4b}{\pi}\sin\omega_1t$ there is a family of motions that slip permanently, one way for half a period and then the other way, in closed form.
+With $a_1=0$, under $u=\frac{4b}{\pi}\sin\omega_1t$ there is a family of motions that slip permanently, one way for half a period and then the other way, in closed form: for $c\geqslant\frac{b}{m_2\omega_1}$, and for no smaller $c$.
 uses: antiperiodic, arc-begins". Abort.
 Check @AtResonance.edge_family.
 Print Assumptions AtResonance.edge_family.
 
 Goal True. idtac "== resonance-edge-bounded
 With $a_1=0$, every motion under $u=\frac{4b}{\pi}\sin\omega_1t$ is bounded.
-uses: forced-contraction, resonance-edge". Abort.
+uses: antiperiodic, arc-begins, forced-contraction". Abort.
 Check @AtResonance.edge_bounded.
 Print Assumptions AtResonance.edge_bounded.
 
@@ -1189,12 +1129,6 @@ Without a force, $M,K\geqslant 0$ and dissipative dampers, any bounded friction 
 uses: inclusion-synchronises". Abort.
 Check @FrictionSystems.system_synchronises.
 Print Assumptions FrictionSystems.system_synchronises.
-
-Goal True. idtac "== third-harmonic
-With $a_1=0$ and $\Omega=3\omega$ a stuck motion exists above $U_*$.
-uses: no other". Abort.
-Check @Entrainment.third_harmonic.
-Print Assumptions Entrainment.third_harmonic.
 
 Goal True. idtac "== third-root-law
 For $c,\kappa,K>0$: if $X$ is large at first and $V=0$, and from step to step, while $X$ is large and $V\leqslant 1$, $X$ does not fall and gains $c/X^2$ within $(K\sqrt V+K/X)/X^2$, and $V\geqslant 0$ gains at most $-\kappa V/X+K/X^2$, then $X\to\infty$, $V\to 0$ and $X_n^3/n\to 3c$.
@@ -1525,12 +1459,6 @@ Both fields point back to $S$ exactly in the interior of $S_0$, back or along it
 uses: no other". Abort.
 Check @SwitchingSurface.transversal_inside.
 Print Assumptions SwitchingSurface.transversal_inside.
-
-Goal True. idtac "== trichotomy
-Every solution merges in finite time, or tends to one critical motion and obeys the sharp law.
-uses: dichotomy, sharp-law". Abort.
-Check @SharpLaw.trichotomy.
-Print Assumptions SharpLaw.trichotomy.
 
 Goal True. idtac "== turning-angle
 $\sin\theta=\theta\cos\theta$ has one solution $\theta_v$ in $(0,2\pi)$.

@@ -143,7 +143,7 @@ def one_part() -> Evidence:
     clause(
         "edge",
         r"""
-        For $u=U_{\mathrm{res}}\sin\omega_1t$ every motion is bounded. For each $c\geqslant\frac{\pi b}{2m_2\omega_1}$ there
+        For $u=U_{\mathrm{res}}\sin\omega_1t$ every motion is bounded. For each $c\geqslant\frac{b}{m_2\omega_1}$, and for no smaller one, there
         is one that slips permanently, with $v_1=\bigl(c+\frac{2b}{\pi m_1}t\bigr)\sin\omega_1t-\frac{\pi
         b}{2m_2\omega_1}\cos\omega_1t$ and $\dot z>0$ for $0<t<\pi/\omega_1$, and half a period later is its own negative.
         """,

@@ -24,19 +24,14 @@ Definition ac (f : R -> R) := forall T, 0 <= T -> forall e, 0 < e -> exists d, 0
 (** *** Chains *)
 Lemma chain_le l : forall lo hi, chain l lo hi -> lo <= hi.
 Proof. induction l as [|(p, q) l IH]; simpl; auto. intros lo hi (H & C). specialize (IH q hi C). lra. Qed.
-(** a longer way *)
 Lemma chain_on l : forall lo hi hi', chain l lo hi -> hi <= hi' -> chain l lo hi'.
 Proof. induction l as [|(p, q) l IH]; simpl; [intros; lra|]. intros lo hi hi' (H & C) L. split; eauto. Qed.
-(** an earlier start *)
 Lemma chain_from l lo lo' hi : chain l lo hi -> lo' <= lo -> chain l lo' hi.
 Proof. destruct l as [|(p, q) l]; simpl; [intros; lra|]. intros (H & C) L. split; [lra|auto]. Qed.
-(** one more interval *)
 Lemma chain_snoc l r c : r <= c -> forall lo, chain l lo r -> chain (l ++ [(r, c)]) lo c.
 Proof. intros Hr. induction l as [|(p, q) l IH]; simpl; intros lo C; [lra|]. destruct C. split; auto. Qed.
-(** its length *)
 Lemma lengths_snoc l r c : lengths (l ++ [(r, c)]) = lengths l + (c - r).
 Proof. induction l as [|(p, q) l IH]; simpl; [ring|rewrite IH; ring]. Qed.
-(** its change *)
 Lemma moves_snoc f l r c : moves f (l ++ [(r, c)]) = moves f l + Rabs (f c - f r).
 Proof. induction l as [|(p, q) l IH]; simpl; [ring|rewrite IH; ring]. Qed.
 
@@ -51,7 +46,6 @@ Proof.
   replace (f q + g q - (f p + g p)) with ((f q - f p) + (g q - g p)) by ring.
     pose proof (Rabs_triang (f q - f p) (g q - g p)). lra.
 Qed.
-(** a multiple *)
 Lemma ac_scal c f : ac f -> ac (fun t => c * f t).
 Proof.
   intros F T HT e He. pose proof (Rabs_pos c). destruct (F T HT (e / (Rabs c + 1))) as (d & Hd & K).
@@ -78,27 +72,24 @@ Proof.
   - apply Rle_trans with (1 := Mv). scale.
   - replace e with ((K + 1) * (e / (K + 1))) at 2 by (field; lra). nra.
 Qed.
-(** linear functions *)
 Lemma ac_linear k : ac (fun t => k * t).
 Proof.
-  apply ac_lip. intros T HT. exists (Rabs k). split; [apply Rabs_pos|]. intros r t Hr _.
+  apply ac_lip. exists (Rabs k). split; [apply Rabs_pos|]. intros r t Hr _.
   rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq (t - r)); lra.
 Qed.
-(** they are continuous *)
 Lemma cont_ac f : ac f -> cont f.
 Proof.
   intros F t Ht e He. destruct (F (t + 1) ltac:(lra) (e / 2) ltac:(lra)) as (d & Hd & K).
   exists (Rmin d 1); split; [positive|]. intros s Hs Hd1. pose proof (Rmin_l d 1).
     pose proof (Rmin_r d 1).
   apply Rabs_def2 in Hd1. destruct (Rle_dec s t).
-  - specialize (K [(s, t)]). simpl in K. rewrite Rabs_minus_sym. specialize (K ltac:(lra) ltac:(lra)). lra.
-  - specialize (K [(t, s)]). simpl in K. specialize (K ltac:(lra) ltac:(lra)). lra.
+  - specialize (K [(s, t)]). simpl in K. rewrite Rabs_minus_sym. lra.
+  - specialize (K [(t, s)]). simpl in K. lra.
 Qed.
 
 (** *** The theorem *)
 (** t moved into [a, b] *)
 Definition clamp a b t := Rmax a (Rmin t b).
-(** it grows with t *)
 Lemma clamp_grows a b r t : r <= t -> clamp a b r <= clamp a b t.
 Proof. intros. unfold clamp, Rmax, Rmin. repeat destruct Rle_dec; lra. Qed.
 (** at most by b - a *)
@@ -109,15 +100,14 @@ Lemma clamp_inside a b t : a < t < b -> clamp a b t = t.
 Proof. intros. unfold clamp, Rmax, Rmin. repeat destruct Rle_dec; lra. Qed.
 
 Section Grows.
-Variables (f f' : R -> R) (N : R -> Prop) (p q : R).
-Hypotheses (F : ac f) (HN : null N) (Hp : 0 <= p <= q).
+Context (f f' : R -> R) (N : R -> Prop) (p q : R) (F : ac f) (HN : null N) (Hp : 0 <= p <= q).
 Hypothesis D : forall t, p <= t <= q -> ~ N t -> is_derive f t (f' t) /\ 0 <= f' t.
 
 (** near a point with a derivative >= 0 *)
 Lemma hardly_falls t e : 0 < e -> is_derive f t (f' t) -> 0 <= f' t ->
   exists d, 0 < d /\ forall r c, t - d < r <= t -> t <= c < t + d -> - e * (c - r) <= f c - f r.
 Proof.
-  intros He Df Pf. apply is_derive_Reals in Df. destruct (Df e He) as ((d & Hd) & K). simpl in K. exists d; split; auto.
+  intros He Df Pf. apply is_derive_Reals in Df. destruct (Df e He) as ((d & Hd) & K). exists d; split; auto.
   assert (Q : forall h, h <> 0 -> Rabs h < d -> Rabs (f (t + h) - f t - f' t * h) <= e * Rabs h).
   { intros h Hh Hh'. specialize (K h Hh Hh'). replace (f (t + h) - f t - f' t * h)
     with (((f (t + h) - f t) / h - f' t) * h) by (field; auto). rewrite Rabs_mult. scale. }
@@ -152,13 +142,13 @@ Proof.
     apply clamp_range; auto. }
   assert (LaJ : forall n m r t, r <= t -> La n t - La n r <= La (Nat.max n m) t - La (Nat.max n m) r /\
     La m t - La m r <= La (Nat.max n m) t - La (Nat.max n m) r).
-  { intros n m r t Hr. split.
+  { split.
     - replace (Nat.max n m) with (n + (Nat.max n m - n))%nat by lia. apply LaN; auto.
     - replace (Nat.max n m) with (m + (Nat.max n m - m))%nat by lia. apply LaN; auto. }
   set (P := fun r => exists l n, chain l p r /\ lengths l <= La n r - La n p /\ - e * (r - p) - moves f l <= f r - f p).
   assert (Step : forall r c, p <= r <= c -> (- e * (c - r) <= f c - f r \/ exists n, a n < r /\ c < b n) -> P r -> P c).
   { intros r c Hr [Q|(n & Hn & Hn')] (l & m & Ch & Ln & Mv).
-    - exists l, m. split; [apply chain_on with r; auto; lra|]. split; [|lra]. pose proof (LaG m r c). lra.
+    - exists l, m. split; [apply chain_on with r; auto; lra|]. pose proof (LaG m r c). lra.
     - exists (l ++ [(r, c)]), (Nat.max n m). split; [apply chain_snoc; auto; lra|]. rewrite lengths_snoc, moves_snoc.
       destruct (LaJ n m r c ltac:(lra)) as (J1 & _). destruct (LaJ n m p r ltac:(lra)) as (_ & J2).
       pose proof (LaI n r c Hn ltac:(lra) Hn'). split; [lra|]. pose proof (Rle_abs (- (f c - f r))) as A.
@@ -166,10 +156,8 @@ Proof.
   assert (Near : forall c, p <= c <= q -> exists h, 0 < h /\ forall r t, c - h < r <= c -> c <= t < c + h ->
     - e * (t - r) <= f t - f r \/ exists n, a n < r /\ t < b n).
   { intros c Hc. destruct (Classical_Prop.classic (N c)) as [Nc|Nc].
-    - destruct (Cov c Nc) as (n & Hn). exists (Rmin (c - a n) (b n - c)). split; [positive|].
-      intros r t Hr Ht. right. exists n. pose proof (Rmin_l (c - a n) (b n - c)).
-        pose proof (Rmin_r (c - a n) (b n - c)).
-      lra.
+    - destruct (Cov c Nc) as (n & Hn). exists (Rmin (c - a n) (b n - c)). split; [positive|]. right. exists n.
+      pose proof (Rmin_l (c - a n) (b n - c)). pose proof (Rmin_r (c - a n) (b n - c)). lra.
     - destruct (D c Hc Nc) as (Df & Pf). destruct (hardly_falls c e He Df Pf) as (h & Hh & Q). exists h; split; auto.
       }
   assert (Pq : P q).
@@ -216,7 +204,7 @@ Proof.
   destruct (ac_slope f N t (t + h) (g t - e) (g t + e)) as (A & B); auto; [lra| |].
   - intros u Hu Nu. exists (g u). split; [apply Dn; auto; lra|]. specialize (K u ltac:(lra)).
     assert (Q : Rabs (u - t) < d) by (rewrite Rabs_pos_eq; lra). specialize (K Q). apply Rabs_def2 in K. lra.
-  - apply Rabs_le. replace (t + h - t) with h in * by ring. lra.
+  - apply Rabs_le. lra.
 Qed.
 
 (** the times of a sequence *)
@@ -252,13 +240,13 @@ Proof.
     assert (Twice : forall m, sum_f_R0 g (S (2 * m)) = sum_f_R0 (fun i => b i - a i) m + sum_f_R0 (fun i => d i - c i)
       m).
     { induction m as [|m IH].
-      - unfold g. simpl. unfold mix; simpl. ring.
+      - auto.
       - replace (S (2 * S m)) with (S (S (S (2 * m)))) by lia. rewrite (tech5 g (S (S (2 * m)))),
         (tech5 g (S (2 * m))), IH. rewrite !tech5. unfold g.
         replace (S (S (2 * m))) with (2 * S m)%nat by lia. rewrite !Even, !Odd. ring. }
     assert (Grow : forall m k, sum_f_R0 g m <= sum_f_R0 g (m + k)).
-    { intros m. induction k as [|k IH]; [rewrite Nat.add_0_r; lra|]. rewrite Nat.add_succ_r, tech5.
-      specialize (Le (S (m + k))). unfold g at 3. lra. }
+    { induction k as [|k IH]; [rewrite Nat.add_0_r; lra|]. rewrite Nat.add_succ_r, tech5. specialize (Le (S (m + k))).
+      unfold g at 3. lra. }
     pose proof (Grow n (S n)) as G. replace (n + S n)%nat with (S (2 * n)) in G by lia. rewrite Twice in G.
     specialize (As n). specialize (Cs n). lra.
 Qed.
@@ -274,7 +262,7 @@ Proof.
   set (A := fun n r => r = - high n \/ (E (- r) /\ low n <= - r < high n)).
   assert (Pos : forall n, 0 < INR (fst (of_nat n)) + 1) by (intros n; pose proof (pos_INR (fst (of_nat n))); lra).
   assert (Lh : forall n, low n < high n).
-  { intros n. unfold low, high. apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; auto|lra]. }
+  { intros n. apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; auto|lra]. }
   assert (Bound : forall n, bound (A n)).
   { intros n. exists (- low n). intros r [->|(_ & Hr)]; [specialize (Lh n); lra|lra]. }
   assert (Some : forall n, exists r, A n r) by (intros n; exists (- high n); left; auto).
@@ -301,8 +289,8 @@ Definition almost (P : R -> Prop) := forall T, 0 <= T -> exists N, null N /\ for
 
 Lemma almost_and P Q : almost P -> almost Q -> almost (fun t => P t /\ Q t).
 Proof.
-  intros A B T HT. destruct (A T HT) as (N & HN & F), (B T HT) as (N' & HN' & G).
-  exists (fun t => N t \/ N' t). split; [apply null_or; auto|]. intros t Ht No. split; [apply F|apply G]; auto.
+  intros A B T HT. destruct (A T HT) as (N & HN & F), (B T HT) as (N' & HN' & G). exists (fun t => N t \/ N' t).
+  split; [apply null_or; auto|]. split; [apply F|apply G]; auto.
 Qed.
 Lemma almost_impl (P Q : R -> Prop) : (forall t, 0 <= t -> P t -> Q t) -> almost P -> almost Q.
 Proof. intros I A T HT. destruct (A T HT) as (N & HN & F). exists N. split; auto. intros t Ht No. apply I; [lra|auto]. Qed.
@@ -313,17 +301,17 @@ Proof.
   - apply null_first. intros t (Ht & Et & d & Hd & No). split; [auto|]. exists d. split; [auto|]. intros r Hr (_ & Er & _).
     exact (No r Hr Er).
   - intros t Ht No Et d Hd. apply Classical_Prop.NNPP. intros F. apply No. repeat split; [lra|auto|]. exists d.
-    split; [auto|]. intros r Hr Er. apply F. eauto.
+    split; [auto|]. eauto.
 Qed.
 (** almost all zeros are no simple ones *)
 Lemma almost_no_simple_zero f : almost (fun t => f t = 0 -> forall l, is_derive f t l -> l = 0).
 Proof.
   apply (almost_impl _ _) with (2 := almost_crowded (fun t => f t = 0)). intros t _ Cr Z l D.
-  destruct (Req_dec l 0) as [|Nl]; auto. exfalso. apply is_derive_Reals in D.
+  destruct (Req_dec l 0) as [|Nl]; auto. apply is_derive_Reals in D.
   destruct (D (Rabs l) (Rabs_pos_lt l Nl)) as ((d & Hd) & K). simpl in K. destruct (Cr Z d Hd) as (r & Hr & Zr).
   specialize (K (r - t) ltac:(lra)). replace (t + (r - t)) with r in K by ring.
-  specialize (K ltac:(apply Rabs_def1; lra)). rewrite Z, Zr in K. replace ((0 - 0) / (r - t) - l) with (- l) in K
-    by (field; lra). rewrite Rabs_Ropp in K. lra.
+  specialize (K ltac:(apply Rabs_def1; lra)). rewrite Z, Zr in K.
+  replace ((0 - 0) / (r - t) - l) with (- l) in K by (field; lra). rewrite Rabs_Ropp in K. lra.
 Qed.
 (** a single time is none of them *)
 Lemma almost_not c : almost (fun t => t <> c).
@@ -351,4 +339,4 @@ Proof.
   apply (G l 0); auto; lra.
 Qed.
 Lemma ac_const c : ac (fun _ => c).
-Proof. apply ac_lip. intros T HT. exists 0. split; [lra|]. intros. rewrite Rminus_diag_eq, Rabs_R0 by auto. lra. Qed.
+Proof. apply ac_lip. exists 0. split; [lra|]. intros. rewrite Rminus_diag_eq, Rabs_R0 by auto. lra. Qed.

@@ -16,8 +16,7 @@ Definition one_way (f : R -> R) (t e : R) := exists d, 0 < d /\
 
 (** *** All derivatives P i of a function on [0, d) *)
 Section Derivatives.
-Variables (P : nat -> R -> R) (d : R).
-Hypotheses (Hd : 0 < d) (DP : forall i h, 0 <= h < d -> is_derive (P i) h (P (S i) h)).
+Context (P : nat -> R -> R) (d : R) (Hd : 0 < d) (DP : forall i h, 0 <= h < d -> is_derive (P i) h (P (S i) h)).
 
 (** the mean value theorem for each of them *)
 Lemma mean i g g' a c : 0 <= a < c -> c < d -> (forall h, 0 <= h < d -> is_derive g h (g' h)) ->
@@ -161,7 +160,6 @@ Qed.
 
 (** *** Which functions are analytic *)
 
-(** it is enough to know a function nearby *)
 Lemma analytic_near f g t d : 0 < d -> (forall r, Rabs (r - t) < d -> f r = g r) -> analytic_at f t -> analytic_at g t.
 Proof.
   intros Hd E (P & d' & C & K & Hd' & HC & HK & P0 & DP). exists P, (Rmin d d'), C, K.
@@ -170,7 +168,6 @@ Proof.
   - intros i r Hr. apply DP. lra.
 Qed.
 
-(** an analytic function has a derivative *)
 Lemma analytic_derive f t : analytic_at f t -> exists l, is_derive f t l.
 Proof.
   intros (P & d & C & K & Hd & HC & HK & P0 & DP). exists (P 1%nat t).
@@ -188,7 +185,6 @@ Proof.
   apply Q. split; [split; [exact I|auto]|exact Hr].
 Qed.
 
-(** sums *)
 Lemma analytic_plus f g t : analytic_at f t -> analytic_at g t -> analytic_at (fun r => f r + g r) t.
 Proof.
   intros (P & d & C & K & Hd & HC & HK & P0 & DP) (Q & d' & C' & K' & Hd' & HC' & HK' & Q0 & DQ).
@@ -205,7 +201,6 @@ Proof.
   lra.
 Qed.
 
-(** multiples *)
 Lemma analytic_scal c f t : analytic_at f t -> analytic_at (fun r => c * f r) t.
 Proof.
   intros (P & d & C & K & Hd & HC & HK & P0 & DP). pose proof (Rabs_pos c).
@@ -215,7 +210,6 @@ Proof.
   apply Rmult_le_compat; auto using Rabs_pos; lra.
 Qed.
 
-(** constants *)
 Lemma analytic_const c t : analytic_at (fun _ => c) t.
 Proof.
   pose proof (Rabs_pos c). exists (fun i _ => match i with O => c | S _ => 0 end), 1, (Rabs c + 1), 1.
@@ -224,7 +218,6 @@ Proof.
   destruct i; [|rewrite Rabs_R0]; nra.
 Qed.
 
-(** what has an analytic derivative *)
 Lemma analytic_primitive f f' t : (forall r, is_derive f r (f' r)) -> analytic_at f' t -> analytic_at f t.
 Proof.
   intros D (P & d & C & K & Hd & HC & HK & P0 & DP).
@@ -256,7 +249,6 @@ Proof.
   unfold Rminus. ring.
 Qed.
 
-(** sinusoids *)
 Lemma analytic_sine om phi t : analytic_at (fun r => sin (om * r + phi)) t.
 Proof.
   pose proof (Rabs_pos om). exists (fun i r => om ^ i * sin (om * r + phi + INR i * (PI / 2))), 1, 1, (Rabs om + 1).

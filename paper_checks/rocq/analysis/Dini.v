@@ -3,7 +3,6 @@ From Coq Require Export Reals Lra Lia Psatz.
 From Coquelicot Require Export Coquelicot.
 Global Open Scope R_scope.
 
-(** a bound of the absolute value, both sides *)
 Lemma Rabs_inv x a : Rabs x <= a -> - a <= x <= a.
 Proof. intros H. pose proof (Rle_abs x). pose proof (Rle_abs (- x)). rewrite Rabs_Ropp in *. lra. Qed.
 
@@ -47,15 +46,12 @@ Definition cont (f : R -> R) :=
   forall t, 0 <= t -> forall eps, 0 < eps -> exists d, 0 < d /\
   forall s, 0 <= s -> Rabs (s - t) < d -> Rabs (f s - f t) < eps.
 
-(** o(h) of equal functions *)
 Lemma little_ext f g : (forall h, f h = g h) -> little f -> little g.
 Proof. intros E H e He; destruct (H e He) as (d & Hd & K). exists d; split; auto. intros; rewrite <- E; auto. Qed.
 
-(** 0 is o(h) *)
 Lemma little_0 : little (fun _ => 0).
 Proof. intros e He; exists 1; split; [lra|]. intros h Hh; rewrite Rabs_R0; nra. Qed.
 
-(** sums of o(h) *)
 Lemma little_plus f g : little f -> little g -> little (fun h => f h + g h).
 Proof.
   intros F G e He. destruct (F (e/2)) as (d1 & ? & K1); [lra|]. destruct (G (e/2)) as (d2 & ? & K2); [lra|].
@@ -64,7 +60,6 @@ Proof.
   pose proof (Rabs_triang (f h) (g h)). lra.
 Qed.
 
-(** multiples of o(h) *)
 Lemma little_scal c f : little f -> little (fun h => c * f h).
 Proof.
   intros F e He. pose proof (Rabs_pos c). destruct (F (e / (Rabs c + 1))) as (d & ? & K).
@@ -75,24 +70,19 @@ Proof.
   replace (e * h) with ((Rabs c + 1) * (e / (Rabs c + 1) * h)) by (field; lra). apply Rmult_le_compat_r; nra.
 Qed.
 
-(** differences of o(h) *)
 Lemma little_minus f g : little f -> little g -> little (fun h => f h - g h).
 Proof. intros F G. apply little_ext with (fun h => f h + (-1) * g h); [intros; ring|]. apply little_plus; auto.
   apply little_scal; auto. Qed.
 
-(** o(h) is O(h) *)
 Lemma little_big f : little f -> big f.
 Proof. intros F. destruct (F 1) as (d & ? & K); [lra|]. exists 1, d; repeat split; try lra; auto. Qed.
 
-(** h is O(h) *)
 Lemma big_id : big (fun h => h).
 Proof. exists 1, 1; repeat split; try lra. intros; rewrite Rabs_pos_eq; lra. Qed.
 
-(** O(h) of equal functions *)
 Lemma big_ext f g : (forall h, f h = g h) -> big f -> big g.
 Proof. intros E (C & d & ? & ? & K); exists C, d; repeat split; auto. intros; rewrite <- E; auto. Qed.
 
-(** sums of O(h) *)
 Lemma big_plus f g : big f -> big g -> big (fun h => f h + g h).
 Proof.
   intros (C1 & d1 & ? & ? & K1) (C2 & d2 & ? & ? & K2).
@@ -102,7 +92,6 @@ Proof.
   pose proof (Rabs_triang (f h) (g h)). lra.
 Qed.
 
-(** multiples of O(h) *)
 Lemma big_scal c f : big f -> big (fun h => c * f h).
 Proof.
   intros (C & d & ? & ? & K). pose proof (Rabs_pos c). exists ((Rabs c + 1) * C), d; repeat split; auto; [nra|].
@@ -110,12 +99,10 @@ Proof.
   rewrite Rmult_assoc. apply Rmult_le_compat; lra.
 Qed.
 
-(** differences of O(h) *)
 Lemma big_minus f g : big f -> big g -> big (fun h => f h - g h).
 Proof. intros F G. apply big_ext with (fun h => f h + (-1) * g h); [intros; ring|]. apply big_plus; auto.
   apply big_scal; auto. Qed.
 
-(** a product of two O(h) is o(h) *)
 Lemma big_mult f g : big f -> big g -> little (fun h => f h * g h).
 Proof.
   intros (C1 & d1 & ? & ? & K1) (C2 & d2 & ? & ? & K2) e He. exists (Rmin (Rmin d1 d2) (e / (C1 * C2))); split.
@@ -131,7 +118,6 @@ Proof.
   nra.
 Qed.
 
-(** increments *)
 Lemma rderiv_big f t l : rderiv f t l -> big (fun h => f (t + h) - f t).
 Proof.
   intros H. apply big_ext with (fun h => (f (t+h) - f t - l*h) + l * h); [intros; ring|].
@@ -145,34 +131,27 @@ Proof.
   rewrite <- !E by lra. apply K; auto.
 Qed.
 
-(** a right derivative sees only what comes next *)
 Lemma rderiv_near f g t l d : 0 < d -> (forall u, t <= u < t + d -> f u = g u) -> rderiv f t l -> rderiv g t l.
 Proof.
   intros Hd E F e He. destruct (F e He) as (d' & Hd' & K). smaller d d'. intros h Hh. rewrite <- !E by lra.
   apply K; lra.
 Qed.
 
-(** of a sum *)
 Lemma rderiv_plus f g t l k : rderiv f t l -> rderiv g t k -> rderiv (fun u => f u + g u) t (l + k).
 Proof. intros F G. eapply little_ext; [|exact (little_plus _ _ F G)]. intros; simpl; ring. Qed.
 
-(** of a multiple *)
 Lemma rderiv_scal c f t l : rderiv f t l -> rderiv (fun u => c * f u) t (c * l).
 Proof. intros F. eapply little_ext; [|exact (little_scal c _ F)]. intros; simpl; ring. Qed.
 
-(** of the opposite *)
 Lemma rderiv_opp f t l : rderiv f t l -> rderiv (fun u => - f u) t (- l).
 Proof. intros F. eapply little_ext; [|exact (little_scal (-1) _ F)]. intros; simpl; ring. Qed.
 
-(** of a difference *)
 Lemma rderiv_minus f g t l k : rderiv f t l -> rderiv g t k -> rderiv (fun u => f u - g u) t (l - k).
 Proof. intros F G. eapply little_ext; [|exact (little_minus _ _ F G)]. intros; simpl; ring. Qed.
 
-(** of a constant *)
 Lemma rderiv_const c t : rderiv (fun _ => c) t 0.
 Proof. eapply little_ext; [|exact little_0]. intros; simpl; ring. Qed.
 
-(** of a product *)
 Lemma rderiv_mult f g t l k : rderiv f t l -> rderiv g t k -> rderiv (fun u => f u * g u) t (l * g t + f t * k).
 Proof.
   intros F G.
@@ -190,29 +169,29 @@ Proof. intros F. eapply little_ext; [|exact F]. intros h; simpl. replace (t + h 
 Lemma rderiv_earlier f t l T : rderiv f (T + t) l -> rderiv (fun u => f (T + u)) t l.
 Proof. intros F. eapply little_ext; [|exact F]. intros h; simpl. rewrite Rplus_assoc. auto. Qed.
 
-(** of an equal value *)
 Lemma rderiv_eq f t l k : l = k -> rderiv f t l -> rderiv f t k.
 Proof. intros ->; auto. Qed.
 
-(** a right derivative bounds the upper right derivative *)
 Lemma rderiv_dini f t l k : l <= k -> rderiv f t l -> dini_le f t k.
 Proof.
   intros Hl H e He. destruct (H e He) as (d & ? & K). exists d; split; auto. intros h Hh.
   specialize (K h Hh). apply Rabs_inv in K. nra.
 Qed.
+Lemma dini_plus f g t k l : dini_le f t k -> rderiv g t l -> dini_le (fun u => f u + g u) t (k + l).
+Proof.
+  intros F G e He. destruct (F (e / 2)) as (d & Hd & K); [lra|]. destruct (G (e / 2)) as (d' & Hd' & K'); [lra|].
+  smaller d d'. intros h Hh. specialize (K h ltac:(lra)). specialize (K' h ltac:(lra)). apply Rabs_inv in K'. lra.
+Qed.
 
-(** continuity: of an absolute value *)
 Lemma cont_abs f : cont f -> cont (fun u => Rabs (f u)).
 Proof.
   intros C t Ht e He. destruct (C t Ht e He) as (d & Hd & K). exists d; split; auto. intros s Hs Hd1.
   eapply Rle_lt_trans; [apply Rabs_triang_inv2|]. auto.
 Qed.
 
-(** of a constant *)
 Lemma cont_const c : cont (fun _ => c).
 Proof. intros t _ e He; exists 1; split; [lra|]. intros. rewrite Rminus_diag_eq, Rabs_R0; auto. Qed.
 
-(** continuity of a sum *)
 Lemma cont_plus f g : cont f -> cont g -> cont (fun u => f u + g u).
 Proof.
   intros F G t Ht e He. destruct (F t Ht (e/2)) as (d1 & ? & K1); [lra|].
@@ -223,7 +202,6 @@ Proof.
   pose proof (Rabs_triang (f s - f t) (g s - g t)). lra.
 Qed.
 
-(** of a product *)
 Lemma cont_mult f g : cont f -> cont g -> cont (fun u => f u * g u).
 Proof.
   intros F G t Ht e He. pose proof (Rabs_pos (f t)). pose proof (Rabs_pos (g t)).
@@ -243,11 +221,9 @@ Proof.
   assert (Rabs (f t) * Rabs (g s - g t) <= Rabs (f t) * e1) by (apply Rmult_le_compat_l; lra). unfold k in *. lra.
 Qed.
 
-(** of a multiple *)
 Lemma cont_scal c f : cont f -> cont (fun u => c * f u).
 Proof. intros. apply cont_mult; auto. apply cont_const. Qed.
 
-(** of a difference *)
 Lemma cont_minus f g : cont f -> cont g -> cont (fun u => f u - g u).
 Proof.
   intros F G t Ht e He. destruct (cont_plus f (fun u => -1 * g u) F (cont_scal (-1) g G) t Ht e He) as (d & ? & K).
@@ -255,14 +231,12 @@ Proof.
   replace (f s - g s - (f t - g t)) with (f s + -1 * g s - (f t + -1 * g t)) by ring. auto.
 Qed.
 
-(** of an equal function *)
 Lemma cont_ext f g : (forall u, 0 <= u -> f u = g u) -> cont f -> cont g.
 Proof.
   intros E F t Ht e He. destruct (F t Ht e He) as (d & ? & K). exists d; split; auto. intros s Hs Hd.
   rewrite <- !E by auto. auto.
 Qed.
 
-(** of the opposite *)
 Lemma cont_opp f : cont f -> cont (fun t => - f t).
 Proof. intros C. apply cont_ext with (fun t => -1 * f t); [intros; ring|apply cont_scal; auto]. Qed.
 
@@ -273,7 +247,6 @@ Proof.
   exists d; split; auto. intros r Hr Hd. apply K; [lra|]. replace (s + r - (s + t)) with (r - t) by ring; auto.
 Qed.
 
-(** a Lipschitz function is continuous *)
 Lemma lip_cont f K : 0 <= K -> (forall r t, 0 <= r <= t -> Rabs (f t - f r) <= K * (t - r)) -> cont f.
 Proof.
   intros HK L t Ht e He. exists (e / (K + 1)); split. { apply Rdiv_lt_0_compat; lra. } intros s Hs Hd.
@@ -412,7 +385,6 @@ Proof.
   intros C F Hr. apply (lip_between f f'); auto. intros u Hu. destruct (F u ltac:(lra)). auto using Rabs_inv.
 Qed.
 
-(** a constant right derivative: a line *)
 Lemma rderiv_line f k r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> rderiv f u k) -> f t - f r = k * (t - r).
 Proof. intros C Hr F. pose proof (between f (fun _ => k) k k r t C Hr ltac:(split; [auto|lra])). lra. Qed.
 
@@ -456,7 +428,6 @@ Proof.
   - assert (F t - k * (E t - l) <= a); [|lra]. apply Ub. exists t; auto.
 Qed.
 
-(** a derivative is a right derivative *)
 Lemma rderiv_of_derive f t l : is_derive f t l -> rderiv f t l.
 Proof.
   intros H. apply is_derive_Reals in H. intros e He. destruct (H e He) as (d & K).
@@ -466,7 +437,6 @@ Proof.
   rewrite Rabs_mult, (Rabs_pos_eq h) by lra. scale.
 Qed.
 
-(** continuity of the library is continuity here *)
 Lemma cont_of_continuity f : continuity f -> cont f.
 Proof.
   intros C t _ e He. destruct (C t e He) as (d & Hd & K). exists d; split; auto. intros u _ Hu.
@@ -474,7 +444,6 @@ Proof.
   apply K. split; [split; [exact I|auto]|exact Hu].
 Qed.
 
-(** a differentiable function is continuous *)
 Lemma cont_of_derive f f' : (forall t, is_derive f t (f' t)) -> cont f.
 Proof.
   intros H. apply cont_of_continuity. intros t. apply derivable_continuous_pt.

@@ -21,8 +21,7 @@ Proof. intros Hc HB. rewrite Rabs_mult, (Rabs_pos_eq c) by auto. scale. Qed.
 
 (** ** The pursuer: from 0, towards c, where it is not there with all the speed that B allows *)
 Section Pursuit.
-Variables B c : R -> R.
-Hypotheses (CB : cont B) (MB : forall r t, 0 <= r <= t -> B r <= B t).
+Context (B c : R -> R) (CB : cont B) (MB : forall r t, 0 <= r <= t -> B r <= B t).
 
 (** subsolutions on [0, t]: their increments are at most those of B, and above c they fall as B rises *)
 Definition below t (z : R -> R) :=
@@ -67,7 +66,6 @@ Qed.
 Lemma below_less r t z : r <= t -> below t z -> below r z.
 Proof. intros Hr (Z & Lz & Fz). repeat split; auto; intros; try (apply Lz; lra). apply Fz; auto; lra. Qed.
 
-(** it starts at 0 *)
 Lemma pursuit_0 : pursuit 0 = 0.
 Proof.
   destruct (pursuit_lub 0 (Rle_refl 0)) as (U & L). apply Rle_antisym.
@@ -154,7 +152,6 @@ Proof.
       pose proof (pursuit_lip B c MB u (u + h) ltac:(lra)). apply Rabs_inv in K0, K1, K2. nra.
 Qed.
 
-(** the right derivative of a function that is a line for a while *)
 Lemma rderiv_exact f t l d : 0 < d -> (forall h, 0 < h < d -> f (t + h) - f t = l * h) -> rderiv f t l.
 Proof. intros Hd F e He. exists d; split; auto. intros h Hh. rewrite F by auto.
   rewrite Rminus_diag_eq, Rabs_R0 by auto. nra. Qed.
@@ -162,7 +159,6 @@ Proof. intros Hd F e He. exists d; split; auto. intros h Hh. rewrite F by auto.
 (** ** Integrals of functions that are continuous on [0, +oo) *)
 Definition integral (f : R -> R) (t : R) : R := RInt (fun u => f (Rmax 0 u)) 0 t.
 
-(** continuity in the sense of the library *)
 Lemma max_continuous f u : cont f -> continuous (fun u => f (Rmax 0 u)) u.
 Proof.
   intros C. apply continuity_pt_filterlim. intros e He.
@@ -171,7 +167,6 @@ Proof.
   unfold Rmax; destruct (Rle_dec 0 r), (Rle_dec 0 u); unfold Rabs; repeat destruct Rcase_abs; lra.
 Qed.
 
-(** the derivative of an integral *)
 Lemma integral_derive f t : cont f -> is_derive (integral f) t (f (Rmax 0 t)).
 Proof.
   intros C. apply (is_derive_RInt (fun u => f (Rmax 0 u)) (integral f) 0 t); [|apply max_continuous; auto].
@@ -180,16 +175,13 @@ Proof.
   intros r _. apply max_continuous; auto.
 Qed.
 
-(** and its right derivative *)
 Lemma integral_rderiv f t : cont f -> 0 <= t -> rderiv (integral f) t (f t).
 Proof. intros C Ht. pose proof (rderiv_of_derive _ _ _ (integral_derive f t C)) as Q.
   rewrite Rmax_right in Q by lra. auto. Qed.
 
-(** an integral is continuous *)
 Lemma integral_cont f : cont f -> cont (integral f).
 Proof. intros C. apply cont_of_derive with (fun t => f (Rmax 0 t)). intros; apply integral_derive; auto. Qed.
 
-(** it starts at 0 *)
 Lemma integral_0 f : integral f 0 = 0.
 Proof. unfold integral. rewrite RInt_point. reflexivity. Qed.
 
@@ -225,7 +217,6 @@ Proof.
   apply Rmult_lt_compat_l with (r := q) in N; auto. replace (q * (e / q)) with e in N by (field; lra). auto.
 Qed.
 
-(** a continuous function is bounded up to each time *)
 Lemma cont_bounded f t : cont f -> 0 <= t -> exists B, forall u, 0 <= u <= t -> Rabs (f u) <= B.
 Proof.
   intros C Ht. set (g := fun u => Rabs (f (Rmax 0 u))). assert (CG : forall u, 0 <= u <= t -> continuity_pt g u).

@@ -23,8 +23,7 @@ Proof.
 Qed.
 
 Section Response.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let energy := energy m1 m2 a2.
 Let forced := forced m1 m2 a1 a2 b.
 Let Ha : 0 <= a1. Proof. lra. Qed.
@@ -137,18 +136,15 @@ Proof.
   apply Rmult_le_compat_r; [lra|]. nra.
 Qed.
 Let D_cont : cont D. Proof. exact (moves_cD m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H'). Qed.
-(** so it does not increase *)
 Lemma D_mono r t : 0 <= r <= t -> D t <= D r.
 Proof.
   intros Hr. apply dini_mono; auto. intros u Hu e He. destruct (D_dini u ltac:(lra) e He) as (d & Hd & Q).
   exists d; split; auto. intros h Hh. specialize (Q h Hh). eapply Rle_trans; [exact Q|]. apply Rmult_le_compat_r; [lra|].
   assert (0 <= a1 * p u ^ 2) by (apply Rmult_le_pos; [auto|apply pow2_ge_0]). lra.
 Qed.
-(** and is not negative *)
 Lemma D_pos t : 0 <= D t.
 Proof. apply energy_pos; auto. Qed.
 
-(** dv1 is Lipschitz *)
 Lemma p_lip r t : 0 <= r <= t -> Rabs (p t - p r) <= 2 * K * (t - r).
 Proof.
   intros Hr. pose proof (v1_lip _ _ _ _ _ G B H LU Bd r t Hr) as L. pose proof (v1_lip _ _ _ _ _ G B H' LU' Bd' r t Hr) as L'.
@@ -323,8 +319,7 @@ Qed.
 
 (** *** A damper a(t) that is controlled in time *)
 Section Controlled.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** the damper is one more force, - a(t) v1, whose impulse V has in it *)
 Definition controlled (a u x v1 v2 s : R -> R) := exists V, forced m1 m2 0 a2 b V x v1 v2 s /\

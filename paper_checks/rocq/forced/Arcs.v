@@ -1,6 +1,6 @@
 (** Motions under a force, put together from arcs: what starts on a smooth arc that obeys the law of friction runs
     along it; the mirror image of a motion; motions that repeat with the opposite sign. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence.
+From InertialPair Require Import Dini Pair Forced ForcedExistence.
 
 (** continuity along a path of times that never runs faster than time *)
 Lemma cont_path f c : (forall t, 0 <= t -> 0 <= c t) -> (forall r t, Rabs (c t - c r) <= Rabs (t - r)) -> cont f ->
@@ -38,7 +38,6 @@ Proof.
       * intros r t. unfold Rmax. repeat destruct Rle_dec; apply Rabs_le; unfold Rabs; destruct Rcase_abs; lra.
 Qed.
 
-(** its right derivative before T *)
 Lemma rderiv_join_before T f g t l : f T = g 0 -> t < T -> rderiv f t l -> rderiv (join T f g) t l.
 Proof.
   intros E Ht. apply rderiv_near with (T - t); [lra|]. intros u Hu. symmetry. apply join_before; auto; lra.
@@ -51,8 +50,7 @@ Proof.
 Qed.
 
 Section Arcs.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let forced := forced m1 m2 a1 a2 b.
 
 (** a motion from a later time on, under the force from then on *)

@@ -1,7 +1,7 @@
 (** A sine at the frequency of body 1 alone, without a damper, of the amplitude 4 b/pi: just what friction takes. There
     is a family of motions that slip for ever, one way for half a period and then the other way; so every motion is
     bounded, and none attracts the others. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Approach Arcs Nonstop NonstopUndamped.
+From InertialPair Require Import Dini Pair EnergyLimit Forced Approach Arcs Nonstop NonstopUndamped.
 
 Section Edge.
 Variables m1 m2 a2 b om : R.
@@ -20,36 +20,62 @@ Definition edge_v1 c t := (c + k * (om * t)) * sin (om * t) - h * cos (om * t).
 Definition edge_v2 t := b / m2 * t - h.
 
 (** it does slip forwards *)
-Lemma half_turn y : 0 <= y <= PI -> 2 * y / PI <= sin y + 1 - cos y.
+Lemma half_turn y : 0 <= y <= PI -> y <= sin y + PI / 2 * (1 - cos y).
 Proof.
-  intros Hy. pose proof PI_RGT_0 as P. pose proof (SIN_bound y). pose proof (COS_bound y).
-  assert (J : forall z, 0 <= z <= PI / 2 -> 2 * z / PI <= sin z).
-  { intros z Hz. pose proof (chord z (PI / 2) ltac:(lra) ltac:(lra)) as C. rewrite sin_PI2 in C.
-    undivide PI. lra. }
-  destruct (Rle_dec y (PI / 2)) as [L|L]; [pose proof (J y ltac:(lra)); lra|].
-  set (z := PI - y). replace y with (PI - z) by (unfold z; ring). rewrite sin_PI_x, Rtrigo_facts.cos_pi_minus.
-  assert (Hz : 0 <= z <= PI / 2) by (unfold z; lra). pose proof (J z Hz).
-  assert (S : 0 <= sin z) by (apply sin_ge_0; lra). assert (C : 0 <= cos z) by (apply cos_ge_0; lra).
-  pose proof (sin2_cos2 z) as SC. unfold Rsqr in SC. assert (1 <= sin z + cos z) by nra.
-  assert (0 <= 2 * z / PI) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]).
-  replace (2 * (PI - z) / PI) with (2 - 2 * z / PI) by (field; lra). lra.
+  intros Hy. pose proof PI2_1 as P2. destruct (Rle_dec y (PI / 2)) as [L|L].
+  - destruct (MVT_gen (fun z => sin z + 1 - cos z - z) 0 y (fun z => cos z + sin z - 1)) as (z & Hz & E).
+    { intros z _. auto_derive; auto. ring. }
+    { intros z _. apply continuity_pt_filterlim, (ex_derive_continuous (fun z => sin z + 1 - cos z - z)). auto_derive. auto. }
+    rewrite Rmin_left, Rmax_right in Hz by lra. rewrite sin_0, cos_0 in E. pose proof (COS_bound y).
+    assert (0 <= sin z) by (apply sin_ge_0; lra). assert (0 <= cos z) by (apply cos_ge_0; lra).
+    pose proof (sin2_cos2 z) as I. unfold Rsqr in I. assert (1 <= cos z + sin z) by nra. nra.
+  - set (z := PI - y). replace y with (PI - z) by (unfold z; ring). rewrite sin_PI_x, Rtrigo_facts.cos_pi_minus.
+    assert (Hz : 0 <= z < PI / 2) by (unfold z; lra). assert (0 <= sin z) by (apply sin_ge_0; lra).
+    pose proof (chord (PI / 2 - z) (PI / 2) ltac:(lra) ltac:(lra)) as C. rewrite sin_PI2, sin_shift in C. lra.
 Qed.
 
-(** faster than body 2 between the turns *)
-Lemma edge_slips c t : h <= c -> 0 < t < T -> edge_v2 t < edge_v1 c t.
+(** by how much it is faster than body 2 *)
+Lemma edge_ahead c t : edge_v1 c t - edge_v2 t =
+  (c + k * (om * t)) * sin (om * t) + b / (m2 * om) * (PI / 2 * (1 - cos (om * t)) - om * t).
+Proof. unfold edge_v1, edge_v2, h. field. lra. Qed.
+
+(** faster between the turns *)
+Lemma edge_slips c t : b / (m2 * om) <= c -> 0 < t < T -> edge_v2 t < edge_v1 c t.
 Proof.
-  intros Hc Ht. pose proof PI_RGT_0 as P. assert (Hp : 0 < h) by (unfold h; apply Rdiv_lt_0_compat; apply Rmult_lt_0_compat; nra).
-  assert (Kp : 0 < k) by (unfold k, F; apply Rdiv_lt_0_compat; [apply Rdiv_lt_0_compat; nra|apply Rmult_lt_0_compat; nra]). set (y := om * t).
+  intros Hc Ht. pose proof PI_RGT_0 as P. assert (Hg : 0 < b / (m2 * om)) by positive. set (g := b / (m2 * om)) in *.
+  assert (Kp : 0 < k) by (unfold k, F; positive). set (y := om * t).
   assert (Hy : 0 < y < PI). { unfold y, T in *. split; [positive|]. replace PI with (om * (PI / om)) by (field; lra).
     apply Rmult_lt_compat_l; lra. }
-  assert (S : 0 < sin y) by (apply sin_gt_0; lra). pose proof (half_turn y ltac:(lra)) as G.
-  apply (Rmult_le_compat_l h) in G; [|lra]. assert (h * sin y <= c * sin y) by (apply Rmult_le_compat_r; lra).
-  assert (0 < k * y * sin y) by (apply Rmult_lt_0_compat; auto; apply Rmult_lt_0_compat; lra).
-  unfold edge_v1, edge_v2. fold y. replace (b / m2 * t) with (h * (2 * y / PI)) by (unfold h, y; field; lra). lra.
+  assert (S : 0 < sin y) by (apply sin_gt_0; lra). pose proof (half_turn y ltac:(lra)) as G. apply (Rmult_le_compat_l g) in G; [|lra].
+  assert (g * sin y <= c * sin y) by (apply Rmult_le_compat_r; lra). assert (0 < k * y * sin y) by positive.
+  pose proof (edge_ahead c t) as E. fold g y in E. lra.
+Qed.
+
+(** and for no smaller c *)
+Lemma edge_least c : (forall t, 0 < t < T -> edge_v2 t < edge_v1 c t) -> b / (m2 * om) <= c.
+Proof.
+  intros H. pose proof PI_RGT_0 as P. pose proof PI2_1 as P2. assert (Hg : 0 < b / (m2 * om)) by positive.
+  set (g := b / (m2 * om)) in *. assert (Kp : 0 < k) by (unfold k, F; positive). destruct (Rle_dec g c) as [L|L]; auto. exfalso.
+  set (c' := Rmax c 0). assert (C : c <= c' /\ 0 <= c' < g).
+  { unfold c'. split; [apply Rmax_l|]. split; [apply Rmax_r|]. apply Rmax_lub_lt; lra. }
+  set (q := k + g * (PI / 4)). assert (Q : 0 < q) by (unfold q; nra).
+  set (y := Rmin 1 ((g - c') / (2 * q))). assert (Hy : 0 < y <= 1).
+  { unfold y. split; [apply Rmin_pos; [lra|]; apply Rdiv_lt_0_compat; lra|apply Rmin_l]. }
+  assert (Yq : q * y < g - c').
+  { assert (y <= (g - c') / (2 * q)) as Y by apply Rmin_r. apply (Rmult_le_compat_l q) in Y; [|lra].
+    replace (q * ((g - c') / (2 * q))) with ((g - c') / 2) in Y by (field; lra). lra. }
+  assert (Ht : 0 < y / om < T). { unfold T. split; [positive|]. apply Rmult_lt_compat_r; [positive|lra]. }
+  specialize (H _ Ht). pose proof (edge_ahead c (y / om)) as E. replace (om * (y / om)) with y in E by (field; lra). fold g in E.
+  assert (S : 0 < sin y < y) by (split; [apply sin_gt_0; lra|apply sin_lt_x; lra]).
+  pose proof (cos_below y ltac:(lra)) as B. assert ((c + k * y) * sin y <= (c' + k * y) * y).
+  { apply Rle_trans with ((c' + k * y) * sin y); [apply Rmult_le_compat_r|apply Rmult_le_compat_l]; nra. }
+  assert (g * (PI / 2 * (1 - cos y)) <= g * (PI / 2 * (y ^ 2 / 2))) by (apply Rmult_le_compat_l; [lra|apply Rmult_le_compat_l; lra]).
+  assert (0 < (c' + k * y) * y + g * (PI / 2 * (y ^ 2 / 2)) - g * y) by lra.
+  assert ((c' + k * y) * y + g * (PI / 2 * (y ^ 2 / 2)) - g * y = y * (q * y - (g - c'))) by (unfold q; field). nra.
 Qed.
 
 (** half a period as an arc of a motion *)
-Lemma edge_arc c : h <= c -> forced_arc m1 m2 0 a2 b T (fun t => F * sin (om * t + 0)) (edge_x c) (edge_v1 c) edge_v2 (fun _ => 1).
+Lemma edge_arc c : b / (m2 * om) <= c -> forced_arc m1 m2 0 a2 b T (fun t => F * sin (om * t + 0)) (edge_x c) (edge_v1 c) edge_v2 (fun _ => 1).
 Proof.
   intros Hc. pose proof PI_RGT_0 as P. constructor.
   - intros t. unfold edge_x, edge_v1. auto_derive; auto. rewrite Tuned. unfold k, F, h. field. repeat split; lra.
@@ -60,11 +86,9 @@ Proof.
     + pose proof (edge_slips c t Hc ltac:(lra)). lra.
 Qed.
 
-(** *** a motion that slips for ever, for every c *)
+(** *** a motion that slips for ever, for these c *)
 
-(** [resonance-edge] With $a_1=0$, under $u=\frac{4b}{\pi}\sin\omega_1t$ there is a family of motions that slip
-    permanently, one way for half a period and then the other way, in closed form. *)
-Theorem edge_family c : h <= c -> exists x v1 v2 s, nonstop m1 m2 0 a2 b om F 0 x v1 v2 s /\
+Lemma edge_motion c : b / (m2 * om) <= c -> exists x v1 v2 s, nonstop m1 m2 0 a2 b om F 0 x v1 v2 s /\
   forall t, 0 <= t <= T -> x t = edge_x c t /\ v1 t = edge_v1 c t /\ v2 t = edge_v2 t.
 Proof.
   intros Hc. pose proof PI_RGT_0 as P. assert (HT : 0 < T) by (unfold T; positive).
@@ -81,6 +105,16 @@ Proof.
     intros t Ht. apply wave_half; auto.
 Qed.
 
+(** [resonance-edge] With $a_1=0$, under $u=\frac{4b}{\pi}\sin\omega_1t$ there is a family of motions that slip
+    permanently, one way for half a period and then the other way, in closed form: for $c\geqslant\frac{b}{m_2\omega_1}$,
+    and for no smaller $c$. *)
+Theorem edge_family c : b / (m2 * om) <= c <-> exists x v1 v2 s, nonstop m1 m2 0 a2 b om F 0 x v1 v2 s /\
+  forall t, 0 <= t <= T -> x t = edge_x c t /\ v1 t = edge_v1 c t /\ v2 t = edge_v2 t.
+Proof.
+  split; [apply edge_motion|]. intros (x & v1 & v2 & s & (_ & Slips & _) & Q). apply edge_least. intros t Ht.
+  destruct (Q t ltac:(lra)) as (_ & <- & <-). apply Slips. unfold T in Ht. lra.
+Qed.
+
 (** *** so every motion is bounded *)
 
 (** [resonance-edge-bounded] With $a_1=0$, every motion under $u=\frac{4b}{\pi}\sin\omega_1t$ is bounded. *)
@@ -88,7 +122,10 @@ Theorem edge_bounded x v1 v2 s : forced m1 m2 0 a2 b (wave F om 0) x v1 v2 s ->
   exists B, forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B.
 Proof.
   intros H. pose proof PI_RGT_0 as P. assert (HT : 0 < T) by (unfold T; positive). assert (OT : om * T = PI) by (unfold T; field; lra).
-  destruct (edge_family h (Rle_refl h)) as (y & w1 & w2 & z & (Hy & _ & Anti) & Q). fold T in Anti.
+  assert (Hh : b / (m2 * om) <= h).
+  { unfold h. replace (PI * b / (2 * m2 * om)) with (PI / 2 * (b / (m2 * om))) by (field; lra). pose proof PI2_1.
+    assert (0 < b / (m2 * om)) by positive. nra. }
+  destruct (edge_motion h Hh) as (y & w1 & w2 & z & (Hy & _ & Anti) & Q). fold T in Anti.
   assert (Hp : 0 < h) by (unfold h; apply Rdiv_lt_0_compat; apply Rmult_lt_0_compat; nra).
   assert (Kp : 0 < k) by (unfold k, F; apply Rdiv_lt_0_compat; [apply Rdiv_lt_0_compat; nra|apply Rmult_lt_0_compat; nra]).
   set (q := Rabs ((F / 2 - m1 * om * h) / a2)). pose proof (Rabs_pos ((F / 2 - m1 * om * h) / a2)) as Q0. fold q in Q0.

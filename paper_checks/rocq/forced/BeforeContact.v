@@ -2,8 +2,7 @@
     the relative velocity to 0 or cannot bring it there; where it comes to an edge, what the force asks beyond b keeps
     its sign before T, and with it the load. *)
 From Coq Require Import Classical.
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Approach BoundedMotions Arcs ModeAtContact Analytic
-  Modes.
+From InertialPair Require Import Dini Forced ModeAtContact Analytic Modes.
 
 (** exp rises *)
 Lemma exp_mono p q : p <= q -> exp p <= exp q.
@@ -22,10 +21,8 @@ Proof.
 Qed.
 
 Section Before.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
-Variables U u x v1 v2 s : R -> R.
-Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (DU : forall t, 0 <= t -> rderiv U t (u t)).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (U u x v1 v2 s : R -> R) (H : forced m1 m2 a1 a2 b U x v1 v2 s) (DU : forall t, 0 <= t -> rderiv U t (u t)).
 Let M := m1 + m2.
 Let w t := v1 t - v2 t.
 Let load := load m1 m2 a1 a2 u x v1.
@@ -33,8 +30,7 @@ Let load := load m1 m2 a1 a2 u x v1.
 Let Cw : cont w := cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H.
 
 (** *** Before a time T: where the load stays on one side of the edges *)
-Variable T : R.
-Hypotheses (HT : 0 < T) (Meet : v1 T = v2 T).
+Context (T : R) (HT : 0 < T) (Meet : v1 T = v2 T).
 
 (** with the load at most b in the direction k no slip of that sign begins *)
 Lemma stays_behind k r t : k = 1 \/ k = -1 -> 0 <= r <= t -> (forall q, r <= q < t -> k * load q <= b) ->
@@ -75,8 +71,7 @@ Qed.
 (** *** Before a time T at which the load comes to the edge k b. Beside the motion with the constant acceleration k b/m2
     through the state at T: the place y of body 1, what the relative velocity and body 2 are ahead, their momentum *)
 Section Edge.
-Variables (k c : R) (Hk : k = 1 \/ k = -1) (Hc : 0 <= c < T).
-Hypothesis Ahead : forall q, c <= q <= T -> 0 <= k * w q.
+Context (k c : R) (Hk : k = 1 \/ k = -1) (Hc : 0 <= c < T) (Ahead : forall q, c <= q <= T -> 0 <= k * w q).
 Let p := beyond m1 m2 a1 a2 b u x v1 T k.
 Let y := place m2 b x v1 T k.
 Let y' := lead m2 b v1 T k.

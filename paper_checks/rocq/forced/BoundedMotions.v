@@ -1,10 +1,9 @@
 (** a1 > 0: under a bounded force (Lipschitz impulse) every motion is bounded, so any two of them approach each other,
     and there is at most one periodic motion. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Approach.
+From InertialPair Require Import Dini Pair Stick Forced Approach.
 
 Section Bounded.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let forced := forced m1 m2 a1 a2 b.
 
 (** W = a2 x^2/2 + m1 v1^2/2 + c m1 x v1 falls at the rate c/3, up to a constant *)
@@ -12,8 +11,7 @@ Section One.
 Variables U x v1 v2 s : R -> R.
 Variable G : R.
 Hypotheses (H : forced U x v1 v2 s) (HG : 0 <= G) (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)).
-Variable c : R.
-Hypotheses (Hc : 0 < c) (c1 : c * m1 <= a1 / 4) (c2 : c * a1 <= a2 / 2) (c3 : c * (c * m1) <= a2 / 4).
+Context (c : R) (Hc : 0 < c) (c1 : c * m1 <= a1 / 4) (c2 : c * a1 <= a2 / 2) (c3 : c * (c * m1) <= a2 / 4).
 Let W t := a2 / 2 * (x t * x t) + m1 / 2 * (v1 t * v1 t) + c * m1 * (x t * v1 t).
 Let g := G + b.
 

@@ -1,7 +1,6 @@
 (** What a periodic response moves body 2 on by in one period: the integral of its velocity, and nothing where the
     force repeats with the opposite sign after half a period. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Approach BoundedMotions Arcs
-  PeriodicMotion.
+From InertialPair Require Import Dini Pursuit Forced BoundedMotions Arcs.
 
 (** [drift] The position of body 2 changes by the integral of its velocity. *)
 Theorem drift v2 z t : cont v2 -> cont z -> (forall r, 0 <= r -> rderiv z r (v2 r)) -> 0 <= t -> z t - z 0 = integral

@@ -1,5 +1,5 @@
 (** A sinusoidal force u = F sin (om t): the stuck periodic response, and when it exists. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced EnergyLimit BoundedMotions.
+From InertialPair Require Import Dini Pair Pursuit Forced EnergyLimit BoundedMotions.
 
 Section Entrain.
 Variables m1 m2 a1 a2 b F om : R.
@@ -21,13 +21,10 @@ Definition rV t := om * (cA * cos (om * t) - cB * sin (om * t)).
 (** the impulse of F sin (om t) *)
 Definition drive t := F / om * (1 - cos (om * t)).
 
-(** the place has the speed as its derivative *)
 Lemma derive_rX t : is_derive rX t (rV t).
 Proof. unfold rX, rV. auto_derive; auto. ring. Qed.
-(** the speed's derivative *)
 Lemma derive_rV t : is_derive rV t (- om ^ 2 * rX t).
 Proof. unfold rX, rV. auto_derive; auto. ring. Qed.
-(** the impulse has the force as its derivative *)
 Lemma derive_drive t : is_derive drive t (F * sin (om * t)).
 Proof. unfold drive. auto_derive; auto. field; lra. Qed.
 
@@ -64,7 +61,6 @@ Proof.
   split; intros K; [scale|apply Rmult_le_reg_l with (1 := Q); auto].
 Qed.
 
-(** the impulse of a force up to F is F-Lipschitz *)
 Lemma drive_lip r t : 0 <= r <= t -> Rabs (drive t - drive r) <= F * (t - r).
 Proof.
   intros Hr. apply (lip_of_rderiv drive (fun t => F * sin (om * t))); auto.
@@ -106,15 +102,6 @@ Proof.
     rewrite Q; ring. }
   pose proof (lip_rderiv rV _ t _ L Ht (rderiv_of_derive _ _ _ (derive_rV t))) as B. rewrite X in B.
   rewrite Rabs_left in B by (assert (0 < om ^ 2 * R) by positive; lra). lra.
-Qed.
-
-(** [entrained-iff] The stuck response to a sinusoidal force is a solution exactly if its amplitude is at most $U_*$.
-    *)
-Theorem entrained_iff : (exists s, forced m1 m2 a1 a2 b drive rX rV rV s) <-> F <= Fstar.
-Proof.
-  split.
-  - intros (s & H). apply gentle_needs. intros r t Hr. apply (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr).
-  - intros HS. eexists. apply entrained, HS.
 Qed.
 
 (** the speed has the force's period *)
@@ -162,74 +149,3 @@ Proof.
   - intros HS. exists rX, rV, rV, (fun t => m2 / b * rV t). split; [apply entrained; auto|auto].
 Qed.
 End Entrain.
-
-(** a1 = 0 is different: with Omega = 3 om a free oscillation of three times the frequency lowers the peak of the
-    acceleration, and the pair sticks for ever, with the period of the force, up to (2 / sqrt 3) F*. *)
-Section Third.
-Variables m1 m2 b om : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Hb : 0 < b) (Hom : 0 < om).
-Let M := m1 + m2.
-Let a2 := 9 * M * om ^ 2.
-Let c := 2 / sqrt 3 * (b / m2) / om ^ 2.
-(** the response with a free third harmonic: its place *)
-Definition tX t := c * (sin (om * t) + / 54 * sin (3 * (om * t))).
-(** its speed *)
-Definition tV t := c * om * (cos (om * t) + / 18 * cos (3 * (om * t))).
-(** its acceleration *)
-Definition tA t := - om ^ 2 * (c * (sin (om * t) + / 6 * sin (3 * (om * t)))).
-
-(** the triple angle *)
-Lemma sin_3 y : sin (3 * y) = 3 * sin y - 4 * sin y ^ 3.
-Proof.
-  replace (3 * y) with (2 * y + y) by ring. rewrite sin_plus, sin_2a, cos_2a_sin.
-  pose proof (sin2_cos2 y) as Q. unfold Rsqr in Q.
-  replace (2 * sin y * cos y * cos y) with (2 * sin y * (1 - sin y * sin y)) by (rewrite <- Q; ring). ring.
-Qed.
-
-(** the third harmonic flattens the peak to sqrt 3/2 *)
-Lemma peak y : -1 <= y <= 1 -> Rabs (y + / 6 * (3 * y - 4 * y ^ 3)) <= sqrt 3 / 2.
-Proof.
-  intros Hy. assert (S : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra).
-    assert (P : 1 <= sqrt 3) by (rewrite <- sqrt_1; apply sqrt_le_1_alt; lra).
-  set (q := sqrt 3) in *. assert (A : forall z, -1 <= z <= 1 -> z + / 6 * (3 * z - 4 * z ^ 3) <= q / 2).
-  { intros z Hz. assert (E : q / 2 - (z + / 6 * (3 * z - 4 * z ^ 3)) = 2 / 3 * ((z - q / 2) ^ 2 * (z + q))).
-    { transitivity (2 / 3 * (z ^ 3 - 3 / 4 * (q * q) * z + (q * q) * q / 4)); [rewrite S; field|field]. }
-    pose proof (pow2_ge_0 (z - q / 2)). assert (0 <= (z - q / 2) ^ 2 * (z + q)) by positive. lra. }
-  pose proof (A y Hy). pose proof (A (- y) ltac:(lra)) as B. replace ((- y) ^ 3) with (- y ^ 3) in B by ring.
-    apply Rabs_le. lra.
-Qed.
-
-(** [third-harmonic] With $a_1=0$ and $\Omega=3\omega$ a stuck motion exists above $U_*$. *)
-Theorem third_harmonic : exists F U x v s, Fstar m1 m2 0 a2 b om < F /\ F = 2 / sqrt 3 * Fstar m1 m2 0 a2 b om /\
-  (forall t, 0 <= t -> rderiv U t (F * sin (om * t))) /\ forced m1 m2 0 a2 b U x v v s /\
-  forall t, x (t + 2 * PI / om) = x t /\ v (t + 2 * PI / om) = v t.
-Proof.
-  assert (S3 : 0 < sqrt 3) by positive. assert (S : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra).
-  assert (Hk : 0 < b / m2) by positive. assert (O2 : 0 < om ^ 2) by nra.
-    assert (Mp : 0 < M) by positive.
-  assert (FS : Fstar m1 m2 0 a2 b om = 8 * M * (b / m2)).
-  { unfold Fstar, Z. replace ((a2 - (m1 + m2) * om ^ 2) ^ 2 + (0 * om) ^ 2) with ((8 * M * om ^ 2) ^ 2) by (unfold
-    a2, M; ring). rewrite sqrt_pow2 by nra. field. lra. }
-  assert (D1 : forall t, is_derive tX t (tV t)). { intros t. unfold tX, tV. auto_derive; auto. field. }
-  assert (D2 : forall t, is_derive tV t (tA t)). { intros t. unfold tV, tA. auto_derive; auto. field. }
-  assert (B : forall t, Rabs (tA t) <= b / m2).
-  { intros t. unfold tA, c. pose proof (peak (sin (om * t)) ltac:(pose proof (SIN_bound (om * t)); lra)) as P.
-    rewrite <- sin_3 in P. set (q := sin (om * t) + / 6 * sin (3 * (om * t))) in *.
-    replace (- om ^ 2 * (2 / sqrt 3 * (b / m2) / om ^ 2 * q)) with (- (2 / sqrt 3 * (b / m2) * q)) by (field;
-      lra). rewrite Rabs_Ropp.
-    replace (b / m2) with (2 / sqrt 3 * (b / m2) * (sqrt 3 / 2)) at 2 by (field; lra). apply abs_scal; auto.
-    apply Rlt_le, Rmult_lt_0_compat; auto. positive. }
-  destruct (trackable_smooth m1 m2 0 a2 b Hm2 Hb 0 tX tV tA D1 D2 B) as (U & HU & RU).
-  assert (T0 : tX 0 = 0). { unfold tX. rewrite !Rmult_0_r, sin_0. ring. }
-  exists (2 / sqrt 3 * Fstar m1 m2 0 a2 b om), U, (fun t => 0 + tX t - tX 0), tV, (fun t => m2 / b * tV t).
-  assert (S2 : sqrt 3 < 2). { rewrite <- (sqrt_pow2 2) by lra. apply sqrt_lt_1_alt. lra. } split.
-  { rewrite FS. apply Rmult_lt_reg_l with (sqrt 3); auto.
-    replace (sqrt 3 * (2 / sqrt 3 * (8 * M * (b / m2)))) with (2 * (8 * M * (b / m2))) by (field; lra).
-    apply Rmult_lt_compat_r; auto. positive. }
-  split; [auto|]. split; [|split; [exact HU|]].
-  - intros t Ht. eapply rderiv_eq; [|apply (RU t Ht)]. rewrite T0, FS. unfold tA, tX, a2, c, M. field. lra.
-  - intros t. assert (E1 : om * (t + 2 * PI / om) = om * t + 2 * INR 1 * PI) by (simpl; field; lra).
-    assert (E3 : 3 * (om * (t + 2 * PI / om)) = 3 * (om * t) + 2 * INR 3 * PI) by (simpl; field; lra).
-    unfold tX, tV. rewrite E3, E1, !sin_period, !cos_period. auto.
-Qed.
-End Third.

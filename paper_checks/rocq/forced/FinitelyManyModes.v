@@ -1,22 +1,14 @@
-(** Events do not accumulate: under a force that is analytic by pieces, and a friction that is constant by pieces, a
-    motion changes its mode finitely often in bounded time. After any time one mode lasts for a while, by the rule of
-    `ModeAtContact.v`; before any time, too, by `BeforeContact.v`. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Approach BoundedMotions Arcs
-  ModeAtContact Analytic Modes BeforeContact.
+(** After any time one mode lasts for a while, by the rule of `ModeAtContact.v`. *)
+From InertialPair Require Import Dini Forced ModeAtContact Analytic Modes BeforeContact.
 
 Section Zeno.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
-Variables U u x v1 v2 s : R -> R.
-Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (DU : forall t, 0 <= t -> rderiv U t (u t)).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (U u x v1 v2 s : R -> R) (H : forced m1 m2 a1 a2 b U x v1 v2 s) (DU : forall t, 0 <= t -> rderiv U t (u t)).
 Let M := m1 + m2.
-Let kap := M / (m1 * m2).
 Let w t := v1 t - v2 t.
 Let load := load m1 m2 a1 a2 u x v1.
 
 Let Cw : cont w := cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H.
-
-(** *** After a time *)
 
 (** one mode lasts *)
 Lemma mode_after t0 g d0 : 0 <= t0 -> 0 < d0 -> analytic_at g t0 -> (forall r, t0 <= r < t0 + d0 -> u r = g r) ->
@@ -59,20 +51,3 @@ Proof.
     as (d & Hd & Stick); [fold load; apply Rabs_def1; lra|]. exists d. split; auto. left. intros t Hr. apply Stick. lra.
 Qed.
 End Zeno.
-
-(** *** No accumulation: one friction *)
-
-(** [no-zeno] Under a piecewise analytic force every bounded time interval has finitely many mode changes. *)
-Theorem no_zeno m1 m2 a1 a2 b U u x v1 v2 s T : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b ->
-  forced m1 m2 a1 a2 b U x v1 v2 s -> (forall t, 0 <= t -> rderiv U t (u t)) -> piecewise_analytic u -> 0 <= T ->
-  finitely_many_modes v1 v2 0 T.
-Proof.
-  intros Hm1 Hm2 Ha1 Ha2 Hb H DU A HT. apply modes_by_compactness; auto; intros t Ht.
-  - destruct (A t ltac:(lra)) as (f & g & d & Hd & _ & Ag & Eg & _).
-    exact (mode_after m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s H DU t g d ltac:(lra) Hd Ag Eg).
-  - destruct (A t ltac:(lra)) as (f & g & d & Hd & Af & _ & _ & Ef). destruct (Req_dec (v1 t) (v2 t)) as [Meet|Apart].
-    + exact (mode_before m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s H DU t ltac:(lra) Meet f d Hd Af Ef).
-    + pose proof (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H) as Cw.
-      destruct (apart_nearby v1 v2 t Cw ltac:(lra) Apart) as (d' & Hd' & K). smaller d' t.
-      apply no_zero_one_sign; [exact Cw|lra|]. intros r Hr. apply K; [lra|]. rewrite Rabs_left; lra.
-Qed.

@@ -1,23 +1,20 @@
 (** The pair under a force on body 1: solutions, contraction, uniqueness, energy, what body 2 can follow, least time.
     The force enters through its impulse U (U' = u from the right): any continuous U is allowed, so jumps of u are. *)
-From InertialPair Require Import Dini Pair Stick Pursuit.
+From InertialPair Require Import Dini Pair Pursuit.
 
-(** right derivatives are unique *)
 Lemma rderiv_unique f t l k : rderiv f t l -> rderiv f t k -> l = k.
 Proof.
-  intros F G. apply Rminus_diag_uniq. destruct (Req_dec (l - k) 0) as [|N]; auto. exfalso. apply Rabs_pos_lt in N.
+  intros F G. apply Rminus_diag_uniq. destruct (Req_dec (l - k) 0) as [|N]; auto. apply Rabs_pos_lt in N.
   destruct (little_minus _ _ G F (Rabs (l - k) / 2)) as (d & Hd & Q); [lra|]. specialize (Q (d / 2) ltac:(lra)).
-    simpl in Q.
-  replace (f (t + d / 2) - f t - k * (d / 2) - (f (t + d / 2) - f t - l * (d / 2))) with ((l - k) * (d / 2)) in Q
-    by ring.
-  rewrite Rabs_mult, (Rabs_pos_eq (d / 2)) in Q by lra. nra.
+  replace (f (t + d / 2) - f t - k * (d / 2) - (f (t + d / 2) - f t - l * (d / 2))) with ((l - k) * (d / 2)) in Q by
+    ring. rewrite Rabs_mult, (Rabs_pos_eq (d / 2)) in Q by lra. nra.
 Qed.
 
 (** sqrt is concave: it carries an upper right derivative over without a condition on the increment *)
 Lemma sqrt_dini y t k : (forall u, 0 < y u) -> dini_le y t k -> dini_le (fun u => sqrt (y u)) t (k / (2 * sqrt (y t))).
 Proof.
   intros P F e He. pose proof (sqrt_lt_R0 _ (P t)) as Sp. destruct (F (2 * sqrt (y t) * e)) as (d & Hd & K); [nra|].
-  exists d; split; auto. intros h Hh. specialize (K h Hh).
+  exists d; split; auto. intros h Hh.
   assert (Q : sqrt (y (t + h)) - sqrt (y t) <= (y (t + h) - y t) / (2 * sqrt (y t))).
   { rewrite <- (sqrt_sqrt (y (t + h))) at 2 by (apply Rlt_le; auto).
     rewrite <- (sqrt_sqrt (y t)) at 2 by (apply Rlt_le; auto).
@@ -59,7 +56,7 @@ Proof.
     - intros u Hu q Hq. destruct (HJ u Hu) as (Pj & Ju & HD). set (l := j u * sqrt (2 * D u)) in *.
       assert (Fy : dini_le y u (2 * l)).
       { intros p Hp. destruct (HD (p / 2)) as (d & Hd & K); [lra|]. exists d; split; auto. intros h Hh.
-        specialize (K h Hh). fold l in K. unfold y. lra. }
+        specialize (K h Hh). unfold y. lra. }
       destruct (sqrt_dini y u _ yP0 Fy (q / 2)) as (d1 & Hd1 & K1); [lra|]. destruct (Ju (q / 2)) as (d2 & Hd2 & K2);
         [lra|].
       smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
@@ -78,25 +75,22 @@ Qed.
 (** *** what a force can do: the root of twice the energy bounds the velocity of body 1, and grows at most by what the force
     pushes *)
 Section Pushed.
-Variables m1 m2 a2 : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2).
+Context (m1 m2 a2 : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2).
 Lemma energy_above x v1 v2 : sqrt m1 * Rabs v1 <= sqrt (2 * energy m1 m2 a2 x v1 v2).
 Proof.
-  rewrite <- (sqrt_Rsqr_abs v1), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt. unfold energy, Rsqr.
-  pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v2). nra.
+  rewrite <- (sqrt_Rsqr_abs v1), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt. unfold energy, Rsqr. nra.
 Qed.
 Lemma pushed_apart x v1 v2 du J r t : let D t := energy m1 m2 a2 (x t) (v1 t) (v2 t) in cont D -> cont J -> 0 <= r <= t ->
   (forall u, r <= u < t -> rderiv J u (Rabs (du u)) /\ dini_le D u (du u * v1 u)) ->
   sqrt (2 * D t) <= sqrt (2 * D r) + (J t - J r) / sqrt m1.
 Proof.
-  intros D CD CJ Hr HU. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
+  intros D CD CJ Hr HU. pose proof (sqrt_lt_R0 _ Hm1) as Sm.
   replace ((J t - J r) / sqrt m1) with (/ sqrt m1 * J t - / sqrt m1 * J r) by (field; lra).
   apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using cont_scal.
   - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
-  - intros u Hu. destruct (HU u Hu) as (DJ & DD). pose proof (Rabs_pos (du u)).
-    split; [positive|split; [apply rderiv_scal; auto|]]. intros e He. destruct (DD e He) as (d & Hd & K).
-    exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
-    pose proof (Rle_abs (du u * v1 u)) as P. rewrite Rabs_mult in P.
+  - intros u Hu. destruct (HU u Hu) as (DJ & DD). split; [positive|split; [apply rderiv_scal; auto|]]. intros e He.
+    destruct (DD e He) as (d & Hd & K). exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|].
+    apply Rmult_le_compat_r; [lra|]. pose proof (Rle_abs (du u * v1 u)) as P. rewrite Rabs_mult in P.
     assert (Rabs (du u) * Rabs (v1 u) <= / sqrt m1 * Rabs (du u) * sqrt (2 * D u)); [|lra].
     replace (Rabs (du u) * _) with (/ sqrt m1 * Rabs (du u) * (sqrt m1 * Rabs (v1 u))) by (field; lra).
     apply Rmult_le_compat_l; [positive|apply energy_above].
@@ -104,8 +98,7 @@ Qed.
 End Pushed.
 
 Section Forced.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
 Let energy := energy m1 m2 a2.
 
@@ -121,7 +114,6 @@ Record forced (U x v1 v2 s : R -> R) : Prop := {
   f_v1 : forall t, 0 <= t -> rderiv (fun r => m1 * v1 r + b * s r - U r) t (- (a2 * x t + a1 * v1 t));
   f_v2 : forall t, 0 <= t -> m2 * v2 t - b * s t = m2 * v2 0 - b * s 0 }.
 
-(** a motion with a continuous impulse, and no other *)
 Lemma forced_moves U x v1 v2 s : forced U x v1 v2 s <-> cont U /\ moves m1 m2 a1 a2 b 1 U x v1 v2 s.
 Proof.
   split.
@@ -160,8 +152,7 @@ Theorem forced_energy_rate U x v1 v2 s t u : forced U x v1 v2 s -> 0 <= t -> rde
 Proof. intros H. exact (moves_energy_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ H t u). Qed.
 
 Section Two.
-Variables U x v1 v2 s U' x' v1' v2' s' : R -> R.
-Hypotheses (H : forced U x v1 v2 s) (H' : forced U' x' v1' v2' s').
+Context (U x v1 v2 s U' x' v1' v2' s' : R -> R) (H : forced U x v1 v2 s) (H' : forced U' x' v1' v2' s').
 Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
 (** *** Input to state: the energy distance grows at most by the L1 norm of the difference of the forces *)
 Let N t := sqrt (2 * D t).
@@ -201,19 +192,6 @@ Theorem forced_unique U x v1 v2 s x' v1' v2' s' t0 : forced U x v1 v2 s -> force
 Proof.
   intros H H' Ht X V W t Hu. pose proof (forced_contraction _ _ _ _ _ _ _ _ _ t0 t H H' ltac:(lra)) as C.
   rewrite X, V, W in C. exact (energy_apart m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ _ _ _ _ _ C).
-Qed.
-
-(** [input-to-state] Under two continuous forces $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|$, $\frac12N^2$ the
-    energy of the difference. *)
-Corollary input_to_state_integral u u' x v1 v2 s x' v1' v2' s' t : cont u -> cont u' ->
-  forced (integral u) x v1 v2 s -> forced (integral u') x' v1' v2' s' -> 0 <= t ->
-  sqrt (2 * energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)) <=
-  sqrt (2 * energy (x 0 - x' 0) (v1 0 - v1' 0) (v2 0 - v2' 0)) + integral (fun r => Rabs (u r - u' r)) t / sqrt m1.
-Proof.
-  intros C C' H H' Ht. assert (CA : cont (fun r => Rabs (u r - u' r))) by (apply cont_abs, cont_minus; auto).
-  pose proof (input_to_state _ _ _ _ _ _ _ _ _ _ H H' (fun r => u r - u' r) _ 0 t (integral_cont _ CA) ltac:(lra)) as Q.
-  rewrite integral_0, Rminus_0_r in Q. apply Q. intros r Hr. split; [|apply (integral_rderiv _ _ CA); lra].
-  apply rderiv_minus; apply integral_rderiv; auto; lra.
 Qed.
 
 (** *** What body 2 can follow *)
@@ -295,21 +273,6 @@ Proof.
   repeat apply rderiv_plus; apply rderiv_scal; auto. apply (integral_rderiv (fun u => x0 + r u - r 0)); auto.
 Qed.
 
-(** r twice differentiable, |r''| <= b/m2 *)
-Corollary trackable_smooth x0 (r r' r'' : R -> R) : (forall t, is_derive r t (r' t)) -> (forall t,
-  is_derive r' t (r'' t)) ->
-  (forall t, Rabs (r'' t) <= b / m2) ->
-  exists U, forced U (fun t => x0 + r t - r 0) r' r' (fun t => m2 / b * r' t) /\ forall t, 0 <= t ->
-    rderiv U t (M * r'' t + a1 * r' t + a2 * (x0 + r t - r 0)).
-Proof.
-  intros R R' B. assert (C : cont r) by (eapply cont_of_derive; eauto).
-    assert (C' : cont r') by (eapply cont_of_derive; eauto).
-  eexists; split.
-  - apply trackable; auto; intros; [apply rderiv_of_derive; auto|]. apply (lip_of_rderiv r' r''); auto.
-    intros; split; auto using rderiv_of_derive.
-  - intros t Ht. apply tracking_force; auto using rderiv_of_derive.
-Qed.
-
 (** a permanent stick leaves no choice: the force must be M v' + a1 v + a2 x *)
 Theorem stuck_needs U x v1 v2 s t : forced U x v1 v2 s -> (forall r, 0 <= r -> v1 r = v2 r) -> 0 <= t ->
   rderiv (fun r => M * v1 r - U r) t (- (a2 * x t + a1 * v1 t)).
@@ -326,8 +289,8 @@ Lemma travel y w be T : 0 < be -> 0 <= T -> cont y -> (forall t, 0 <= t -> rderi
   y T - y 0 <= (w 0 + w T) * T / 2 + be / 4 * (T ^ 2 - ((w T - w 0) / be) ^ 2).
 Proof.
   intros Hbe HT C R Lw. set (d := (w T - w 0) / be). assert (Ed : w T = w 0 + be * d) by (unfold d; field; lra).
-  pose proof (Lw 0 T ltac:(lra)) as L0. rewrite Ed in L0. apply Rabs_inv in L0.
-  assert (Hd : - T <= d <= T) by (split; nra). set (p := (T + d) / 2). assert (Hp : 0 <= p <= T) by (unfold p; lra).
+  pose proof (Lw 0 T ltac:(lra)) as L0. apply Rabs_inv in L0. assert (Hd : - T <= d <= T) by (split; nra).
+  set (p := (T + d) / 2). assert (Hp : 0 <= p <= T) by (unfold p; lra).
   assert (A : y p - (w 0 * p + be * p ^ 2 / 2) <= y 0 - (w 0 * 0 + be * 0 ^ 2 / 2)).
   { apply (rderiv_mono (fun u => y u - (w 0 * u + be * u ^ 2 / 2)) 0 p (fun u => w u - (w 0 + be * u))); [|lra|].
     - apply cont_minus; auto. apply cont_of_derive with (fun u => w 0 + be * u). intros u. auto_derive; auto; field.
@@ -357,8 +320,7 @@ Proof.
   { apply (travel (fun u => -1 * x2 u) (fun u => -1 * v2 u)); auto using cont_scal, rderiv_scal.
     intros p q Hp. replace (-1 * v2 q - -1 * v2 p) with (- (v2 q - v2 p)) by ring. rewrite Rabs_Ropp. auto. }
   replace ((-1 * v2 T - -1 * v2 0) / (b / m2)) with (- ((v2 T - v2 0) * m2 / b)) in B by (field; lra).
-  replace ((v2 T - v2 0) / (b / m2)) with ((v2 T - v2 0) * m2 / b) in A by (field; lra).
-  set (d := (v2 T - v2 0) * m2 / b) in *. replace ((- d) ^ 2) with (d ^ 2) in B by ring. apply Rabs_le. lra.
+  replace ((v2 T - v2 0) / (b / m2)) with ((v2 T - v2 0) * m2 / b) in A by (field; lra). apply Rabs_le. lra.
 Qed.
 
 (** [least-time] From rest to rest over $D$ takes at least $2\sqrt{m_2D/b}$, whatever the force. *)
@@ -379,19 +341,16 @@ Qed.
 (** the bang-bang motion with its kinks at 0, tau, 2 tau: y |y| / 2 has the derivative |y|, and |y| the right
     derivative +-1 *)
 Definition side y := if Rle_dec 0 y then 1 else -1.
-(** the right derivative of |t - c| *)
 Lemma rderiv_Rabs c t : rderiv (fun u => Rabs (u - c)) t (side (t - c)).
 Proof.
   unfold side. destruct (Rle_dec 0 (t - c)).
   - apply rderiv_exact with 1; [lra|]. intros h Hh. rewrite !Rabs_pos_eq by lra. ring.
   - apply rderiv_exact with (c - t); [lra|]. intros h Hh. rewrite !Rabs_left by lra. ring.
 Qed.
-(** and of its integral *)
 Lemma rderiv_half c t : rderiv (fun u => (u - c) * Rabs (u - c) / 2) t (Rabs (t - c)).
 Proof.
-  intros e He. exists e; split; auto. intros h Hh. apply Rle_trans with (h * h / 2); [|nra].
-  replace (t + h - c) with (t - c + h) by ring. set (y := t - c). apply Rabs_le.
-  unfold Rabs. destruct (Rcase_abs (y + h)), (Rcase_abs y); split; nra.
+  intros e He. exists e; split; auto. intros h Hh. replace (t + h - c) with (t - c + h) by ring. set (y := t - c).
+  apply Rabs_le. unfold Rabs. destruct (Rcase_abs (y + h)), (Rcase_abs y); split; nra.
 Qed.
 
 (** the velocity of the fastest transfer: up, then down *)
@@ -405,25 +364,23 @@ Definition push tau t := b / m2 * ((side (t - 2 * tau) + side (t - 0) - 2 * side
 (** the velocity has that acceleration *)
 Lemma rderiv_bang tau t : rderiv (bang tau) t (push tau t).
 Proof.
-  unfold bang, push. apply rderiv_scal. apply rderiv_eq with (/ 2 * (side (t - 2 * tau) + side (t - 0) - 2 * side
-    (t - tau))); [field|].
+  apply rderiv_scal. apply rderiv_eq with (/ 2 * (side (t - 2 * tau) + side (t - 0) - 2 * side (t - tau))); [field|].
   apply rderiv_ext with (fun u => / 2 * (Rabs (u - 2 * tau) + Rabs (u - 0) - 2 * Rabs (u - tau))); [intros; field|].
   apply rderiv_scal, rderiv_minus; [apply rderiv_plus|apply rderiv_scal]; apply rderiv_Rabs.
 Qed.
 (** the place has that velocity *)
 Lemma rderiv_run tau t : rderiv (run tau) t (bang tau t).
 Proof.
-  unfold run, bang. apply rderiv_scal. apply rderiv_eq with (/ 2 * (Rabs (t - 2 * tau) + Rabs (t - 0) - 2 * Rabs
-    (t - tau))); [field|].
-  apply rderiv_ext with (fun u => / 2 * ((u - 2 * tau) * Rabs (u - 2 * tau) / 2 + (u - 0) * Rabs (u - 0) / 2 - 2 *
-    ((u - tau) * Rabs (u - tau) / 2))); [intros; field|].
+  apply rderiv_scal. apply rderiv_eq with (/ 2 * (Rabs (t - 2 * tau) + Rabs (t - 0) - 2 * Rabs (t - tau))); [field|].
+  apply rderiv_ext with (fun u => / 2 * ((u - 2 * tau) * Rabs (u - 2 * tau) / 2 + (u - 0) * Rabs (u - 0) / 2 - 2 * ((u -
+    tau) * Rabs (u - tau) / 2))); [intros; field|].
   apply rderiv_scal, rderiv_minus; [apply rderiv_plus|apply rderiv_scal]; apply rderiv_half.
 Qed.
 (** the velocity changes as fast as friction allows and no faster *)
 Lemma bang_lip tau p q : 0 <= tau -> 0 <= p <= q -> Rabs (bang tau q - bang tau p) <= b / m2 * (q - p).
 Proof.
   intros Ht Hp. unfold bang. rewrite <- Rmult_minus_distr_l. apply abs_scal; [positive|].
-  apply Rabs_le. unfold Rabs; repeat destruct Rcase_abs; lra.
+  unfold Rabs; repeat destruct Rcase_abs; lra.
 Qed.
 
 (** [least-time-attained] The least time $2\sqrt{m_2D/b}$ from rest to rest over $D$ is attained. *)
@@ -438,10 +395,10 @@ Proof.
   assert (C : cont (run tau)).
   { assert (CA : forall c, cont (fun t => (t - c) * Rabs (t - c) / 2)).
     { intros c. assert (Cl : cont (fun t => t - c)). { apply (lip_cont _ 1); [lra|]. intros r t Hr.
-      replace (t - c - (r - c)) with (t - r) by ring. rewrite Rabs_pos_eq; lra. }
+      rewrite Rabs_pos_eq; lra. }
       apply cont_ext with (fun t => / 2 * ((t - c) * Rabs (t - c))); [intros; field|].
         apply cont_scal, cont_mult; auto using cont_abs. }
-    unfold run. apply cont_scal. apply cont_ext with (fun t => / 2 * ((t - 2 * tau) * Rabs (t - 2 * tau) / 2 + (t
+    apply cont_scal. apply cont_ext with (fun t => / 2 * ((t - 2 * tau) * Rabs (t - 2 * tau) / 2 + (t
       - 0) * Rabs (t - 0) / 2
       - 2 * ((t - tau) * Rabs (t - tau) / 2))); [intros; field|].
         apply cont_scal, cont_minus; [apply cont_plus; apply CA|apply cont_scal, CA]. }

@@ -1,11 +1,10 @@
 (** Capture under a force: once the friction that sticking needs stays below b by a margin, the pair sticks after a
     bounded time and for ever. Then: a1 > 0, F < F*: every motion under F sin (om t) sticks for ever and tends to the
     response. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced EnergyLimit Entrainment Approach BoundedMotions.
+From InertialPair Require Import Dini Pair Pursuit Forced Entrainment BoundedMotions.
 
 Section Catch.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
 Let kap := M / (m1 * m2).
 Variables U u x v1 v2 s : R -> R.
@@ -14,7 +13,6 @@ Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (HU : forall t, 0 <= t -> rder
   (Load : forall t, T <= t -> Rabs (m2 * (u t - a2 * x t - a1 * v1 t) / M) <= b - g).
 Let w t := v1 t - v2 t.
 
-(** the rate is positive *)
 Lemma kap_pos : 0 < kap.
 Proof. unfold kap, M. apply Rdiv_lt_0_compat; nra. Qed.
 
@@ -30,7 +28,6 @@ Proof.
   rewrite <- Ropp_mult_distr_r_reverse. apply Rmult_le_compat_l; [lra|]. destruct Hk; subst k; lra.
 Qed.
 
-(** the relative velocity is continuous *)
 Lemma cont_w : cont w.
 Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
 
@@ -68,7 +65,6 @@ Variables m1 m2 a1 a2 b F om : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HF : 0 <= F) (Hom : 0 < om).
 Let M := m1 + m2.
 
-(** the dynamic stiffness is positive *)
 Lemma Z_pos : 0 < Z m1 m2 a1 a2 om.
 Proof. unfold Z. assert (0 < a1 * om) by positive.
   pose proof (pow2_ge_0 (a2 - (m1 + m2) * om ^ 2)). assert (0 < (a1 * om) ^ 2) by nra. lra. Qed.

@@ -1,5 +1,5 @@
 (** Existence under a force: the interface of one strength. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Interface InterfaceExists.
+From InertialPair Require Import Dini Pair Forced Interface InterfaceExists.
 
 Lemma forced_existence m1 m2 a1 a2 b x0 v10 v20 U : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b -> cont U ->
   exists x v1 v2 s, forced m1 m2 a1 a2 b U x v1 v2 s /\ x 0 = x0 /\ v1 0 = v10 /\ v2 0 = v20.

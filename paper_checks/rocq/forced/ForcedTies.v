@@ -1,7 +1,7 @@
 (** Ties: the law under a force is what `theory/` derives. A test prints each expression of the
     theory and looks for it in the statement. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Pair Forced.
+From InertialPair Require Import Dini Forced.
 
 (** [tie-forced] A motion under a force obeys the equations of the theory, with impulses of friction and of the force.
     *)

@@ -1,11 +1,10 @@
 (** Motions with the force's period that slip one way for half of it and then the other way: half the difference of such
     a motion and of itself half a period later is one that repeats with the opposite sign. So U** is the least amplitude
     for these motions, too. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Approach BoundedMotions Arcs Nonstop.
+From InertialPair Require Import Dini Pair Forced Arcs Nonstop.
 
 Section Mean.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** half the sum *)
 Definition mean (f g : R -> R) t := / 2 * f t + / 2 * g t.

@@ -26,14 +26,11 @@ Proof.
 Qed.
 
 Section Heavy.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 a1 a2 b x v1 v2 s.
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 a1 a2 b x v1 v2 s).
 Let p t := a2 * x t + a1 * v1 t.
 Let w t := v1 t - v2 t.
-Variables X V : R.
-Hypotheses (BX : forall t, 0 <= t -> - X <= x t <= X) (BV : forall t, 0 <= t -> - V <= v1 t <= V).
+Context (X V : R) (BX : forall t, 0 <= t -> - X <= x t <= X) (BV : forall t, 0 <= t -> - V <= v1 t <= V).
 
 (** under friction of at least - c in a direction, from r to t, p comes down to c *)
 Lemma load_relaxes k c r t : k = 1 \/ k = -1 -> 0 <= r <= t -> (forall u, r <= u < t -> dini_le (fun q => - k * s q) u c) ->
@@ -44,10 +41,10 @@ Proof.
   { apply cont_plus; apply cont_scal; [apply (s_cx _ _ _ _ _ _ _ _ _ H)|apply (s_cv _ _ _ _ _ _ _ _ _ H)]. }
   apply (relaxes (fun u => k * p u)); auto using cont_scal; [positive|]. intros u Hu e He.
   assert (He1 : 0 < e * m1 / (2 * a1 * b)) by positive. destruct (S u Hu _ He1) as (d & Hd & K).
-  pose proof (rderiv_plus _ _ _ _ _ (rderiv_scal (k * a2) _ _ _ (s_x _ _ _ _ _ _ _ _ _ H u ltac:(lra)))
-    (rderiv_scal (k * a1 / m1) _ _ _ (s_v1 _ _ _ _ _ _ _ _ _ H u ltac:(lra)))) as R.
-  destruct (R (e / 2) ltac:(lra)) as (d' & Hd' & K'). smaller d d'. intros h Hh. specialize (K h ltac:(lra)).
-  specialize (K' h ltac:(lra)). cbv beta in K'. apply Rabs_inv in K'. destruct (BV u ltac:(lra)) as (B1 & B2).
+  pose proof (rderiv_plus _ _ _ _ _ (rderiv_scal (k * a2) _ _ _ (s_x _ _ _ _ _ _ _ _ _ H u ltac:(lra))) (rderiv_scal (k
+    * a1 / m1) _ _ _ (s_v1 _ _ _ _ _ _ _ _ _ H u ltac:(lra)))) as R. destruct (R (e / 2) ltac:(lra)) as (d' & Hd' & K').
+  smaller d d'. intros h Hh. specialize (K h ltac:(lra)). specialize (K' h ltac:(lra)). apply Rabs_inv in K'.
+  destruct (BV u ltac:(lra)) as (B1 & B2).
   assert (Q : a1 * b / m1 * (- k * s (u + h) - - k * s u) <= a1 * b / m1 * ((c + e * m1 / (2 * a1 * b)) * h)).
   { apply Rmult_le_compat_l; [positive|auto]. }
   assert (kV : 0 <= a2 * (V - k * v1 u) * h) by (apply Rmult_le_pos; [apply Rmult_le_pos; destruct Hk; subst k|]; lra).
@@ -67,9 +64,8 @@ Let C e := a2 * V * m1 + 4 * m1 ^ 2 / e ^ 2 * (a2 * X + V + b).
 Lemma load_after e k c r t : 1 <= a1 -> 0 < e -> k = 1 \/ k = -1 -> -1 <= c -> 0 <= r -> r + e <= t ->
   (forall u, r <= u < t -> dini_le (fun q => - k * s q) u c) -> k * p t <= b * c + C e / a1.
 Proof.
-  intros A1 He Hk Hc Hr Ht S. pose proof (load_relaxes k c r t Hk ltac:(lra) S) as Q.
-  destruct (BX r Hr) as (X1 & X2). destruct (BV r Hr) as (V1 & V2). assert (X0 : 0 <= X) by lra. assert (V0 : 0 <= V) by lra.
-  set (g := a2 * V * m1 / a1) in *. assert (G0 : 0 <= g) by (unfold g; positive).
+  intros A1 He Hk Hc Hr Ht S. pose proof (load_relaxes k c r t Hk ltac:(lra) S) as Q. destruct (BX r Hr) as (X1 & X2).
+  destruct (BV r Hr) as (V1 & V2). set (g := a2 * V * m1 / a1) in *. assert (G0 : 0 <= g) by (unfold g; positive).
   assert (D : k * p r - (b * c + g) <= a1 * (a2 * X + V + b)).
   { assert (k * x r <= X) by (destruct Hk; subst k; lra). assert (k * v1 r <= V) by (destruct Hk; subst k; lra).
     assert (a2 * (k * x r) <= a2 * X) by scale. assert (a1 * (k * v1 r) <= a1 * V) by scale.
@@ -81,10 +77,9 @@ Proof.
     - assert (a1 / m1 * e <= a1 / m1 * (t - r)) by (apply Rmult_le_compat_l; [positive|lra]).
       destruct (Req_dec (a1 / m1 * (t - r)) (a1 / m1 * e)) as [->|]; [lra|]. apply Rlt_le, exp_increasing. lra.
     - eapply Rle_trans; [apply exp_square; positive|]. right. field. lra. }
-  assert (Z : 0 <= a1 * (a2 * X + V + b)).
-  { apply Rmult_le_pos; [lra|]. assert (0 <= a2 * X) by positive. lra. }
-  pose proof (exp_pos (- (a1 / m1 * (t - r)))).
-  assert (F : exp (- (a1 / m1 * (t - r))) * (k * p r - (b * c + g)) <= 4 * m1 ^ 2 / (a1 ^ 2 * e ^ 2) * (a1 * (a2 * X + V + b))).
+  assert (Z : 0 <= a1 * (a2 * X + V + b)) by positive. pose proof (exp_pos (- (a1 / m1 * (t - r)))).
+  assert (F : exp (- (a1 / m1 * (t - r))) * (k * p r - (b * c + g)) <= 4 * m1 ^ 2 / (a1 ^ 2 * e ^ 2) * (a1 * (a2 * X + V
+    + b))).
   { eapply Rle_trans; [apply Rmult_le_compat_l; [lra|exact D]|]. apply Rmult_le_compat_r; auto. }
   replace (C e / a1) with (g + 4 * m1 ^ 2 / (a1 ^ 2 * e ^ 2) * (a1 * (a2 * X + V + b))) by (unfold C, g; field; lra). lra.
 Qed.
@@ -97,8 +92,7 @@ Proof.
 Qed.
 
 (** *** Body 1 is slow from the time e on, and the load within b M/m1 *)
-Variable e : R.
-Hypotheses (A1 : 1 <= a1) (He : 0 < e).
+Context (e : R) (A1 : 1 <= a1) (He : 0 < e).
 
 Lemma load_bound t : e <= t -> - (b + C e / a1) <= p t <= b + C e / a1.
 Proof.
@@ -111,8 +105,8 @@ Proof.
   intros Ht. pose proof (load_bound t Ht) as P. destruct (BX t ltac:(lra)) as (X1 & X2).
   assert (a2 * - X <= a2 * x t <= a2 * X) by (split; scale). assert (V0 : - V <= V) by (destruct (BV t ltac:(lra)); lra).
   assert (C0 : C e / a1 <= C e).
-  { assert (0 <= a2 * X) by (apply Rmult_le_pos; lra). assert (0 <= C e).
-    { unfold C. apply Rplus_le_le_0_compat; [repeat apply Rmult_le_pos; lra|apply Rmult_le_pos; [positive|lra]]. }
+  { assert (0 <= C e).
+    { apply Rplus_le_le_0_compat; [repeat apply Rmult_le_pos; lra|apply Rmult_le_pos; [positive|lra]]. }
     undivide a1. nra. }
   apply Rabs_le. unfold p in P. split.
   - apply Ropp_le_cancel. rewrite Ropp_involutive. undivide a1. lra.
@@ -164,8 +158,7 @@ Proof.
   assert (Cw : cont w). { apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
   destruct (contact m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Ha2 Hb x v1 v2 s e H ltac:(lra)) as (q & Hq & Eq).
   destruct (first_zero w e q Cw ltac:(lra)) as (t1 & Ht1 & Z & Sg); auto. { unfold w at 2. rewrite Eq. lra. }
-  exists t1. split; [|auto]. split; [lra|].
-  assert (exists k, (k = 1 \/ k = -1) /\ 0 < k * w e) as (k & Hk & Kw).
+  exists t1. assert (exists k, (k = 1 \/ k = -1) /\ 0 < k * w e) as (k & Hk & Kw).
   { destruct (Rlt_dec 0 (w e)); [exists 1|exists (-1)]; split; auto; lra. }
   assert (Sl : forall u, e <= u < t1 -> 0 < k * w u).
   { intros u Hu. specialize (Sg u Hu). destruct Hk; subst k; nra. }
@@ -181,15 +174,13 @@ Proof.
   replace (m2 / b * (D + (Rabs (v2 0) + b / m2 * e))) with (m2 / b * D + m2 * Rabs (v2 0) / b + e) in * by (field; lra). lra.
 Qed.
 
-(** and not before *)
 Lemma not_before T : 0 <= T -> (forall t, T <= t -> v1 t = v2 t) -> m2 * Rabs (v2 0) / b - m2 / b * D - e <= T.
 Proof.
   intros HT St. set (t := Rmax T e). assert (T <= t) by apply Rmax_l. assert (e <= t) by apply Rmax_r.
-  assert (t <= T + e) by (apply Rmax_lub; lra). pose proof (slow t ltac:(lra)) as S. rewrite (St t ltac:(lra)) in S. fold D in S.
-  pose proof (body2 0 t ltac:(lra)) as B. rewrite Rminus_0_r in B.
-  pose proof (Rabs_triang_inv (v2 0) (v2 t)). rewrite (Rabs_minus_sym (v2 0)) in *.
-  assert (m2 / b * (Rabs (v2 0) - D) <= t); [|lra]. apply Rle_trans with (m2 / b * (b / m2 * t)); [|right; field; lra].
-  apply Rmult_le_compat_l; [positive|lra].
+  assert (t <= T + e) by (apply Rmax_lub; lra). pose proof (slow t ltac:(lra)) as S. rewrite (St t ltac:(lra)) in S.
+  fold D in S. pose proof (body2 0 t ltac:(lra)) as B. pose proof (Rabs_triang_inv (v2 0) (v2 t)).
+  rewrite (Rabs_minus_sym (v2 0)) in *. assert (m2 / b * (Rabs (v2 0) - D) <= t); [|lra].
+  apply Rle_trans with (m2 / b * (b / m2 * t)); [|right; field; lra]. apply Rmult_le_compat_l; [positive|lra].
 Qed.
 End Heavy.
 
@@ -211,20 +202,18 @@ Proof.
   assert (X1 : 0 <= 2 * E0 / a2) by positive. assert (V1 : 0 <= 2 * E0 / m1) by positive.
   set (C := fun e => a2 * V * m1 + 4 * m1 ^ 2 / e ^ 2 * (a2 * X + V + b)).
   assert (C0 : forall e, 0 < e -> 0 < C e).
-  { intros q Hq. unfold C, X, V. assert (0 < a2 * (1 + 2 * E0 / a2)) by (apply Rmult_lt_0_compat; lra).
-    apply Rplus_lt_0_compat; [repeat apply Rmult_lt_0_compat; lra|apply Rmult_lt_0_compat; [positive|lra]]. }
-  assert (X0 : 0 < a2 * X) by (unfold X; apply Rmult_lt_0_compat; lra).
-  set (K := fun e => a2 * X + b + C e). assert (K0 : forall e, 0 < e -> 0 < K e) by (intros q Hq; specialize (C0 q Hq); unfold K; lra).
-  set (q := e / 4). assert (Hq : 0 < q) by (unfold q; lra).
-  pose proof (C0 q Hq) as Cq. pose proof (K0 q Hq) as Kq. pose proof (C0 e He) as Ce.
-  set (A := 1 + C e / e + C q / (b * m1 / m2) + K q * m2 / (b * q)).
+  { intros q Hq. unfold C, X, V. positive. }
+  assert (X0 : 0 < a2 * X) by positive. set (K := fun e => a2 * X + b + C e).
+  assert (K0 : forall e, 0 < e -> 0 < K e) by (intros q Hq; specialize (C0 q Hq); unfold K; lra). set (q := e / 4).
+  assert (Hq : 0 < q) by (unfold q; lra). pose proof (C0 q Hq) as Cq. pose proof (K0 q Hq) as Kq.
+  pose proof (C0 e He) as Ce. set (A := 1 + C e / e + C q / (b * m1 / m2) + K q * m2 / (b * q)).
   assert (P1 : 0 < C e / e) by positive. assert (P2 : 0 < C q / (b * m1 / m2)) by positive.
-  assert (P3 : 0 < K q * m2 / (b * q)) by positive.
-  exists A, (K e). split; [unfold A; lra|]. intros a1 x v1 v2 s Large H Sx Sv Sw. unfold A in Large.
+  assert (P3 : 0 < K q * m2 / (b * q)) by positive. exists A, (K e). split; [unfold A; lra|].
+  intros a1 x v1 v2 s Large H Sx Sv Sw. unfold A in Large.
   assert (B : forall t, 0 <= t -> - X <= x t <= X /\ - V <= v1 t <= V).
   { intros t Ht. pose proof (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ H 0 t ltac:(lra)) as De.
-    cbv beta zeta in De. rewrite Sx, Sv, Sw in De. fold E0 in De. unfold energy in De. pose proof (pow2_ge_0 (x t)). pose proof (pow2_ge_0 (v1 t)).
-    pose proof (pow2_ge_0 (v2 t)). assert (0 <= m1 * v1 t ^ 2) by positive. assert (0 <= m2 * v2 t ^ 2) by positive.
+    cbv beta zeta in De. rewrite Sx, Sv, Sw in De. fold E0 in De. unfold energy in De.
+    assert (0 <= m1 * v1 t ^ 2) by positive. assert (0 <= m2 * v2 t ^ 2) by positive.
     assert (0 <= a2 * x t ^ 2) by positive. split; apply sq_le_abs; try (unfold X, V; lra).
     - assert (x t ^ 2 <= 2 * E0 / a2) by (undivide a2; lra). unfold X. nra.
     - assert (v1 t ^ 2 <= 2 * E0 / m1) by (undivide m1; lra). unfold V. nra. }

@@ -4,8 +4,7 @@
 From InertialPair Require Import Dini PaidRates Pair Stick Pursuit Forced.
 
 Section Interface.
-Variables m1 m2 a1 a2 : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
+Context (m1 m2 a1 a2 : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
 Let M := m1 + m2.
 Let kap := M / (m1 * m2).
 Let energy := energy m1 m2 a2.
@@ -42,11 +41,9 @@ Proof.
   { intros t l D. apply rderiv_ext with (fun t => / b * F t); [intros; field; lra|].
     apply rderiv_eq with (/ b * l); [field; lra|]. apply rderiv_scal; auto. }
   assert (Sum : forall t l, rderiv (fun r => m1 * v1 r + b * (F r / b) - U r) t l <-> rderiv (fun r => m1 * v1 r + F r - U r) t l).
-  { intros t l. split; apply rderiv_ext; intros u _; rewrite Fs; auto. }
+  { split; apply rderiv_ext; intros u _; rewrite Fs; auto. }
   split.
-  - intros [Ca Sl CU Cx Cv CF X V W]. assert (Cs : cont (fun t => F t / b)).
-    { apply cont_ext with (fun t => / b * F t); [intros; field; lra|apply cont_scal; auto]. }
-    constructor; auto.
+  - intros [Ca Sl CU Cx Cv CF X V W]. constructor; auto.
     + intros r t Hr. apply Rmult_le_reg_l with b; auto. rewrite <- (Rabs_pos_eq b) at 1 by lra. rewrite <- Rabs_mult,
         Rmult_minus_distr_l, !Fs. apply cap_lip; auto. intros u Hu. apply Ca. lra.
     + intros t Ht Gt. apply rderiv_eq with (1 * b / b); [field; lra|]. apply To, Sl; auto; lra.
@@ -58,9 +55,8 @@ Proof.
     { intros t l D. apply rderiv_ext with (fun t => b * (F t / b)); [intros; field; lra|].
       apply rderiv_eq with (b * l); [ring|]. apply rderiv_scal; auto. }
     constructor; auto.
-    + intros t Ht e He. exists 1. split; [lra|]. intros h Hh. specialize (L t (t + h) ltac:(lra)).
-      rewrite <- (Fs F (t + h)), <- (Fs F t), <- Rmult_minus_distr_l, Rabs_mult, Rabs_pos_eq by lra.
-      replace (t + h - t) with h in L by ring. nra.
+    + exists 1. split; [lra|]. intros h Hh. specialize (L t (t + h) ltac:(lra)).
+      rewrite <- (Fs F (t + h)), <- (Fs F t), <- Rmult_minus_distr_l, Rabs_mult, Rabs_pos_eq by lra. nra.
     + intros t Ht k Hk G. apply Back. destruct Hk; subst k; [apply P|apply N]; lra.
     + apply cont_ext with (fun t => b * (F t / b)); [auto|apply cont_scal; auto].
     + intros t Ht. apply Sum. auto.
@@ -68,8 +64,7 @@ Proof.
 Qed.
 
 Section One.
-Variables b U x v1 v2 F : R -> R.
-Hypothesis H : rubs b U x v1 v2 F.
+Context (b U x v1 v2 F : R -> R) (H : rubs b U x v1 v2 F).
 
 Lemma rubs_big t : 0 <= t -> big (fun h => F (t + h) - F t).
 Proof.
@@ -97,17 +92,15 @@ Theorem interface_energy_rate t u : 0 <= t -> rderiv U t u -> rderiv (fun t => e
 Proof.
   intros Ht HU. assert (V : rderiv (fun r => m1 * v1 r + 1 * F r) t (u - (a2 * x t + a1 * v1 t))).
   { eapply little_ext; [|exact (little_plus _ _ (r_v1 _ _ _ _ _ _ H t Ht) HU)]. intros h; simpl; ring. }
-  eapply little_ext; [|exact (little_minus _ _ (energy_increment m1 m2 a2 1 Hm1 Hm2 x v1 v2 F t _ (r_x _ _ _ _ _ _ H t Ht) V
-    (fun h Hh => rubs_v2 t h Ht Hh) (rubs_big t Ht)) (rubs_power t Ht))].
-  intros h. unfold energy. cbv beta. ring.
+  eapply little_ext; [|exact (little_minus _ _ (energy_increment m1 m2 a2 1 Hm1 Hm2 x v1 v2 F t _ (r_x _ _ _ _ _ _ H t
+    Ht) V (fun h Hh => rubs_v2 t h Ht Hh) (rubs_big t Ht)) (rubs_power t Ht))]. intros h. unfold energy. ring.
 Qed.
 Lemma rubs_cE : cont (fun t => energy (x t) (v1 t) (v2 t)).
 Proof. pose proof rubs_cv2. destruct H. apply energy_cont; auto. Qed.
 End One.
 
 Section Two.
-Variables b U x v1 v2 F b' U' x' v1' v2' F' : R -> R.
-Hypotheses (H : rubs b U x v1 v2 F) (H' : rubs b' U' x' v1' v2' F').
+Context (b U x v1 v2 F b' U' x' v1' v2' F' : R -> R) (H : rubs b U x v1 v2 F) (H' : rubs b' U' x' v1' v2' F').
 Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
 Let w t := v1 t - v2 t.
 Let w' t := v1' t - v2' t.
@@ -129,7 +122,7 @@ Proof.
     HU)]. intros h; simpl; ring. }
   eapply little_ext; [|refine (energy_increment m1 m2 a2 1 Hm1 Hm2 (fun r => x r - x' r) (fun r => v1 r - v1' r)
     (fun r => v2 r - v2' r) (fun r => F r - F' r) t _ (rderiv_minus _ _ _ _ _ (r_x _ _ _ _ _ _ H t Ht) (r_x _ _ _ _ _ _ H' t Ht)) V _ _)].
-  - intros h. unfold D, energy, w, w'. cbv beta. ring.
+  - intros h. unfold D, energy, w, w'. ring.
   - intros h Hh. pose proof (rubs_v2 _ _ _ _ _ _ H t h Ht Hh). pose proof (rubs_v2 _ _ _ _ _ _ H' t h Ht Hh). lra.
   - eapply big_ext; [|exact (big_minus _ _ (rubs_big _ _ _ _ _ _ H t Ht) (rubs_big _ _ _ _ _ _ H' t Ht))].
     intros h; simpl; ring.
@@ -181,8 +174,7 @@ Proof.
   intros u Hu e He. assert (Z : rderiv (fun r => U r - U r) u 0).
   { apply rderiv_ext with (fun _ => 0); [intros; ring|apply rderiv_const]. }
   destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) Z e He) as (d & Hd & K). exists d; split; auto.
-  intros h Hh. specialize (K h Hh). pose proof (pow2_ge_0 (v1 u - v1' u)).
-  assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h) by (apply Rmult_le_pos; [positive|lra]). cbv beta. lra.
+  intros h Hh. specialize (K h Hh). assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h) by positive. lra.
 Qed.
 
 (** what grows at most in proportion *)
@@ -192,20 +184,19 @@ Proof.
   intros Hk Ht C P G. pose proof (exp_pos (k * t)) as Ep. apply le_epsilon. intros e He.
   assert (He' : 0 < e / exp (k * t)) by positive. set (q := e / exp (k * t)) in *.
   assert (Q : y t + q <= exp (k * t) * (y 0 + q)).
-  { apply (log_dini (fun u => y u + q) q k t); auto; [intros u; specialize (P u); cbv beta; lra|apply cont_plus; [auto|apply cont_const]|].
-    intros u Hu p Hp. destruct (G u Hu p Hp) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
-    assert (0 <= k * q * h) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra). cbv beta. lra. }
+  { apply (log_dini (fun u => y u + q) q k t); auto; [intros u; specialize (P u); cbv beta; lra|apply cont_plus;
+      [auto|apply cont_const]|]. intros u Hu p Hp. destruct (G u Hu p Hp) as (d & Hd & K). exists d; split; auto.
+    intros h Hh. specialize (K h Hh). assert (0 <= k * q * h) by positive. lra. }
   replace (exp (k * t) * (y 0 + q)) with (exp (k * t) * y 0 + e) in Q by (unfold q; field; lra). lra.
 Qed.
 (** a product by two squares *)
 Lemma product_below p q a k P : 0 < a -> 0 < k -> q ^ 2 <= k * P -> Rabs p * Rabs q <= sqrt (k / a) * (a * p ^ 2 + P).
 Proof.
-  intros Ha Hk Hq. set (r := sqrt (k / a)). assert (Hr : 0 < r) by (apply sqrt_lt_R0; positive).
-  assert (Er : r * r = k / a) by (apply sqrt_sqrt, Rlt_le; positive). assert (Ea : a * (r * r) = k) by (rewrite Er; field; lra).
-  rewrite <- (pow2_abs p). rewrite <- (pow2_abs q) in Hq. pose proof (Rabs_pos p). pose proof (Rabs_pos q).
+  intros Ha Hk Hq. set (r := sqrt (k / a)). assert (Er : r * r = k / a) by (apply sqrt_sqrt, Rlt_le; positive).
+  assert (Ea : a * (r * r) = k) by (rewrite Er; field; lra). rewrite <- (pow2_abs p). rewrite <- (pow2_abs q) in Hq.
   set (u := Rabs p) in *. set (v := Rabs q) in *. apply Rmult_le_reg_l with (a * r); [positive|].
   replace (a * r * (r * (a * u ^ 2 + P))) with ((a * r * u) ^ 2 + a * (r * r) * P) by ring. rewrite Ea.
-  pose proof (pow2_ge_0 (a * r * u - v)). pose proof (pow2_ge_0 (a * r * u + v)). assert (0 <= a * r * (u * v)) by positive. nra.
+  pose proof (pow2_ge_0 (a * r * u - v)). pose proof (pow2_ge_0 (a * r * u + v)). lra.
 Qed.
 Lemma gap_below dx dv dw : (dv - dw) ^ 2 <= kap * (2 * energy dx dv dw - a2 * dx ^ 2).
 Proof.
@@ -221,13 +212,11 @@ Proof.
 Qed.
 
 Section Growth.
-Variables b U x v1 v2 F b' x' v1' v2' F' : R -> R.
-Hypotheses (H : rubs b U x v1 v2 F) (H' : rubs b' U x' v1' v2' F').
+Context (b U x v1 v2 F b' x' v1' v2' F' : R -> R) (H : rubs b U x v1 v2 F) (H' : rubs b' U x' v1' v2' F').
 Let N2 t := 2 * energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
 Let w t := v1 t - v2 t.
 Let w' t := v1' t - v2' t.
-Variable l : R.
-Hypothesis Hl : 0 <= l.
+Context (l : R) (Hl : 0 <= l).
 
 Let N2_pos t : 0 <= N2 t.
 Proof. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)). unfold N2, energy. lra. Qed.
@@ -237,10 +226,10 @@ Let N2_dini t k : 0 <= t -> - (b t - b' t) * (Rabs (w t) - Rabs (w' t)) <= k -> 
 Proof.
   intros Ht Hk e He. assert (Z : rderiv (fun r => U r - U r) t 0).
   { apply rderiv_ext with (fun _ => 0); [intros; ring|apply rderiv_const]. }
-  destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' t 0 Ht Z (e / 2)) as (d & Hd & K); [lra|]. exists d; split; auto.
-  intros h Hh. specialize (K h Hh). fold (w t) (w' t) in K. pose proof (pow2_ge_0 (v1 t - v1' t)).
-  assert (0 <= a1 * (v1 t - v1' t) ^ 2 * h) by (apply Rmult_le_pos; [positive|lra]).
-  assert (- (b t - b' t) * (Rabs (w t) - Rabs (w' t)) * h <= k * h) by (apply Rmult_le_compat_r; lra). unfold N2. lra.
+  destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' t 0 Ht Z (e / 2)) as (d & Hd & K); [lra|].
+  exists d; split; auto. intros h Hh. specialize (K h Hh). fold (w t) (w' t) in K.
+  assert (0 <= a1 * (v1 t - v1' t) ^ 2 * h) by positive.
+  assert (- (b t - b' t) * (Rabs (w t) - Rabs (w' t)) * h <= k * h) by nra. unfold N2. lra.
 Qed.
 Let apart t : Rabs (Rabs (w t) - Rabs (w' t)) <= Rabs (w t - w' t) := Rabs_triang_inv2 _ _.
 Let gap t : (w t - w' t) ^ 2 <= kap * (N2 t - a2 * (x t - x' t) ^ 2).
@@ -258,13 +247,12 @@ Qed.
 Theorem growth_by_place t : 0 <= t -> (forall t, 0 <= t -> Rabs (b t - b' t) <= l * Rabs (x t - x' t)) ->
   sqrt (N2 t) <= exp (l * sqrt ((m1 + m2) / (m1 * m2 * a2)) * t) * sqrt (N2 0).
 Proof.
-  intros Ht K. set (r := sqrt ((m1 + m2) / (m1 * m2 * a2))). assert (Sp : 0 <= r) by apply sqrt_pos.
-  apply root_growth; auto. apply in_proportion; auto; [positive|]. intros u Hu. rewrite !Rmult_assoc. apply N2_dini; auto.
+  intros Ht K. set (r := sqrt ((m1 + m2) / (m1 * m2 * a2))). apply root_growth; auto.
+  apply in_proportion; auto; [positive|]. intros u Hu. rewrite !Rmult_assoc. apply N2_dini; auto.
   eapply Rle_trans; [apply (by_slopes u _ (Rmult_le_pos _ _ Hl (Rabs_pos (x u - x' u))) (K u Hu))|].
   rewrite Rmult_assoc. apply Rmult_le_compat_l; auto.
   pose proof (product_below (x u - x' u) _ a2 kap _ Ha2 kap_pos (gap u)) as Q.
-  replace (kap / a2) with ((m1 + m2) / (m1 * m2 * a2)) in Q by (unfold kap, M; field; lra). fold r in Q.
-  replace (a2 * (x u - x' u) ^ 2 + (N2 u - a2 * (x u - x' u) ^ 2)) with (N2 u) in Q by ring. exact Q.
+  replace (kap / a2) with ((m1 + m2) / (m1 * m2 * a2)) in Q by (unfold kap, M; field; lra). fold r in Q. lra.
 Qed.
 
 (** [growth-by-speed] Where $b$ falls by at most $\ell$ times the increase of $|\dot z|$: $N(t)\leqslant e^{\gamma
@@ -274,10 +262,10 @@ Theorem growth_by_speed t : 0 <= t -> (forall t, 0 <= t ->
   sqrt (N2 t) <= exp (l * (m1 + m2) / (m1 * m2) * t) * sqrt (N2 0).
 Proof.
   intros Ht K. replace (l * (m1 + m2) / (m1 * m2)) with (l * kap) by (unfold kap, M; field; lra).
-  apply root_growth; auto. apply in_proportion; auto; [positive|]. intros u Hu. rewrite !Rmult_assoc. apply N2_dini; auto.
-  apply Rle_trans with (l * (Rabs (w u) - Rabs (w' u)) ^ 2); [specialize (K u Hu); lra|]. apply Rmult_le_compat_l; auto.
-  pose proof (apart u) as A. rewrite <- (pow2_abs (Rabs (w u) - Rabs (w' u))). pose proof (Rabs_pos (Rabs (w u) - Rabs (w' u))).
-  pose proof (gap u) as G. rewrite <- (pow2_abs (w u - w' u)) in G. pose proof (pow2_ge_0 (x u - x' u)).
+  apply root_growth; auto. apply in_proportion; auto; [positive|]. intros u Hu. rewrite !Rmult_assoc.
+  apply N2_dini; auto. apply Rle_trans with (l * (Rabs (w u) - Rabs (w' u)) ^ 2); [specialize (K u Hu); lra|].
+  apply Rmult_le_compat_l; auto. pose proof (apart u) as A. rewrite <- (pow2_abs (Rabs (w u) - Rabs (w' u))).
+  pose proof (Rabs_pos (Rabs (w u) - Rabs (w' u))). pose proof (gap u) as G. rewrite <- (pow2_abs (w u - w' u)) in G.
   assert (Rabs (Rabs (w u) - Rabs (w' u)) ^ 2 <= Rabs (w u - w' u) ^ 2) by (apply pow_incr; lra).
   assert (0 <= kap * (a2 * (x u - x' u) ^ 2)) by positive. lra.
 Qed.
@@ -290,15 +278,13 @@ Theorem growth_by_state z z' t : cont z -> cont z' -> (forall t, 0 <= t -> rderi
     Rabs (b t - b' t) <= l * (Rabs (x t - x' t) + Rabs (z t - z' t) + Rabs (Rabs (w t) - Rabs (w' t)))) ->
   N2 t + (z t - z' t) ^ 2 <= exp (2 * (l * sqrt (kap / a2) + (l + 1) * sqrt kap + l * kap) * t) * (N2 0 + (z 0 - z' 0) ^ 2).
 Proof.
-  intros Cz Cz' Dz Dz' Ht K. set (ra := sqrt (kap / a2)). set (r := sqrt kap). assert (Sp : 0 <= r) by apply sqrt_pos.
-  assert (Sa : 0 <= ra) by apply sqrt_pos.
+  intros Cz Cz' Dz Dz' Ht K. set (ra := sqrt (kap / a2)). set (r := sqrt kap). assert (Sa : 0 <= ra) by apply sqrt_pos.
   apply (in_proportion (fun u => N2 u + (z u - z' u) ^ 2)); auto; [|apply cont_plus; auto| |].
-  { assert (0 <= l * ra) by positive. assert (0 <= l * kap) by positive. assert (0 <= (l + 1) * r) by positive. lra. }
+  { positive. }
   { apply cont_ext with (fun u => (z u - z' u) * (z u - z' u)); [intros; ring|]. apply cont_mult; apply cont_minus; auto. }
-  { intros u. pose proof (N2_pos u). pose proof (pow2_ge_0 (z u - z' u)). lra. }
-  intros u Hu e He. set (p := z u - z' u). set (q := w u - w' u). set (o := x u - x' u). pose proof (Rabs_pos p).
-  pose proof (Rabs_pos q). pose proof (Rabs_pos o). pose proof (apart u) as Ap. fold q in Ap. pose proof (gap u) as G.
-  fold q o in G. pose proof (pow2_ge_0 o). pose proof (pow2_ge_0 p). pose proof (N2_pos u).
+  { intros u. pose proof (N2_pos u). positive. }
+  intros u Hu e He. set (p := z u - z' u). set (q := w u - w' u). set (o := x u - x' u). pose proof (apart u) as Ap.
+  fold q in Ap. pose proof (gap u) as G. fold q o in G. pose proof (pow2_ge_0 p).
   assert (Sum : 0 <= l * (Rabs o + Rabs p + Rabs q)) by positive.
   assert (Kb : Rabs (b u - b' u) <= l * (Rabs o + Rabs p + Rabs q)).
   { eapply Rle_trans; [apply K; auto|]. fold o p. apply Rmult_le_compat_l; auto. lra. }
@@ -306,20 +292,18 @@ Proof.
   assert (Dp : rderiv (fun u => (z u - z' u) * (z u - z' u)) u (q * p + p * q)).
   { apply (rderiv_mult (fun u => z u - z' u) (fun u => z u - z' u)); apply rderiv_minus; auto. }
   destruct (Dp (e / 2)) as (d2 & E2 & K2); [lra|]. smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)).
-  specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. cbv beta. fold p q in K1, K2 |- *.
+  specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. fold p q in K1, K2 |- *.
   assert (Kp : 0 <= kap * (a2 * o ^ 2)) by positive. assert (Gq : q ^ 2 <= kap * N2 u) by lra.
-  pose proof (product_below p q 1 kap (N2 u) Rlt_0_1 kap_pos Gq) as Q. replace (kap / 1) with kap in Q by field. fold r in Q.
-  pose proof (product_below o q a2 kap _ Ha2 kap_pos G) as Q'. fold ra in Q'.
-  replace (a2 * o ^ 2 + (N2 u - a2 * o ^ 2)) with (N2 u) in Q' by ring. rewrite <- (pow2_abs q) in Gq.
+  pose proof (product_below p q 1 kap (N2 u) Rlt_0_1 kap_pos Gq) as Q. replace (kap / 1) with kap in Q by field.
+  fold r in Q. pose proof (product_below o q a2 kap _ Ha2 kap_pos G) as Q'. rewrite <- (pow2_abs q) in Gq.
   pose proof (Rle_abs (p * q)) as A. rewrite Rabs_mult in A. set (Y := N2 u + p ^ 2) in *.
-  assert (Q1 : l * (Rabs o * Rabs q) <= l * (ra * Y)) by (apply Rmult_le_compat_l; [auto|]; eapply Rle_trans; [exact Q'|];
-    apply Rmult_le_compat_l; [auto|unfold Y; lra]).
+  assert (Q1 : l * (Rabs o * Rabs q) <= l * (ra * Y)) by (apply Rmult_le_compat_l; [auto|]; eapply Rle_trans; [exact
+    Q'|]; apply Rmult_le_compat_l; [auto|unfold Y; lra]).
   assert (Q2 : l * (Rabs p * Rabs q) <= l * (r * Y)) by (apply Rmult_le_compat_l; [auto|unfold Y; lra]).
   assert (Q3 : l * (Rabs q ^ 2) <= l * (kap * Y)) by (apply Rmult_le_compat_l; [auto|]; eapply Rle_trans; [exact Gq|];
-    apply Rmult_le_compat_l; [lra|unfold Y; lra]).
-  assert (Q4 : p * q <= r * Y) by (unfold Y; lra).
-  assert (Pq : 2 * (l * (Rabs o + Rabs p + Rabs q) * Rabs q) + (q * p + p * q) <= 2 * (l * ra + (l + 1) * r + l * kap) * Y) by lra.
-  assert (EY : Y = N2 u + p ^ 2) by reflexivity. apply Rmult_le_compat_r with (r := h) in Pq; lra.
+    apply Rmult_le_compat_l; [lra|unfold Y; lra]). assert (Q4 : p * q <= r * Y) by (unfold Y; lra).
+  assert (Pq : 2 * (l * (Rabs o + Rabs p + Rabs q) * Rabs q) + (q * p + p * q) <= 2 * (l * ra + (l + 1) * r + l * kap) *
+    Y) by lra. assert (EY : Y = N2 u + p ^ 2) by reflexivity. apply Rmult_le_compat_r with (r := h) in Pq; lra.
 Qed.
 End Growth.
 
@@ -333,8 +317,8 @@ Theorem interface_input_to_state b U U' x v1 v2 F x' v1' v2' F' du J r t :
   sqrt (2 * energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)) <=
   sqrt (2 * energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r)) + (J t - J r) / sqrt m1.
 Proof.
-  intros H H' HU CJ HJ Hr. apply (pushed_apart m1 m2 a2 Hm1 Hm2 Ha2 (fun t => x t - x' t) (fun t => v1 t - v1' t) (fun t => v2 t - v2' t) du);
-    auto; [exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H')|]. intros u Hu. split; [apply HJ; lra|]. intros e He.
+  intros H H' HU CJ HJ Hr. apply (pushed_apart m1 m2 a2 Hm1 Hm2 Ha2 (fun t => x t - x' t) (fun t => v1 t - v1' t) (fun t
+    => v2 t - v2' t) du); auto; [exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H')|]. split; [apply HJ; lra|]. intros e He.
   destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) (HU u ltac:(lra)) e He) as (d & Hd & K).
   exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
   pose proof (pow2_ge_0 (v1 u - v1' u)). nra.
@@ -362,7 +346,6 @@ Proof.
     by (field; lra).
   rewrite Rmult_assoc. apply abs_scal; [apply Rlt_le; positive|]. apply Rabs_inv in LA, LF, L. apply Rabs_le. lra.
 Qed.
-(** and the relative velocity *)
 Lemma slip_lip r t : 0 <= r <= t -> Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= (/ m1 * (B + G + hi) + / m2 * hi) * (t - r).
 Proof.
   intros Hr. pose proof (body1_lip r t Hr) as L1. pose proof (r_v2 _ _ _ _ _ _ H r ltac:(lra)) as E1.
@@ -383,9 +366,9 @@ Lemma stuck_rubs b rho U y v r : 0 < b -> forced m1 m2 a1 a2 b U y v v r ->
   (forall p q, 0 <= p <= q -> Rabs (r q - r p) <= rho * (q - p)) -> rubs (fun _ => b * rho) U y v v (fun t => b * r t).
 Proof.
   intros Hb H Easy. pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cr. destruct H as [_ _ _ CU Cy Cv Y V W].
-  constructor; auto using cont_scal; [|intros; lra].
-  intros t Ht e He. exists 1. split; [lra|]. intros h Hh. rewrite <- Rmult_minus_distr_l. pose proof (Easy t (t + h) ltac:(lra)) as L.
-  replace (t + h - t) with h in L by ring. apply Rle_trans with (b * (rho * h)); [apply abs_scal; lra|nra].
+  constructor; auto using cont_scal; [|intros; lra]. exists 1. split; [lra|]. intros h Hh.
+  rewrite <- Rmult_minus_distr_l. pose proof (Easy t (t + h) ltac:(lra)) as L.
+  apply Rle_trans with (b * (rho * h)); [apply abs_scal; lra|nra].
 Qed.
 
 (** *** Without a force, friction that stays above some strength brings the slip to rest, whatever it depends on *)
@@ -404,7 +387,7 @@ Proof.
   assert (Ep : forall t, 0 <= E t) by (intros t; apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2)).
   assert (Fall : forall t, 0 <= t -> dini_le E t (- lo * Rabs (w t))).
   { intros t Ht. eapply rderiv_dini; [|exact (interface_energy_rate _ _ _ _ _ _ H t 0 Ht (rderiv_const 0 t))].
-    fold (w t). pose proof (Rabs_pos (w t)). pose proof (pow2_ge_0 (v1 t)). specialize (Hb t Ht). nra. }
+    fold (w t). pose proof (Rabs_pos (w t)). specialize (Hb t Ht). nra. }
   set (J := integral (fun t => Rabs (w t))).
   assert (Pay : forall r t, 0 <= r <= t -> lo * (J t - J r) <= E r - E t).
   { intros r t. apply (path_paid E lo (fun t => Rabs (w t))); auto. intros u Hu. rewrite Ropp_mult_distr_l. auto. }
@@ -424,7 +407,7 @@ Proof.
     assert (V1 : 1 <= V) by (assert (0 <= 2 * E 0 / m1) by positive; unfold V; lra).
     assert (Bd : forall t, 0 <= t -> - X <= x t <= X /\ - V <= v1 t <= V).
     { intros t Ht. pose proof (Em 0 t ltac:(lra)) as Q. unfold E at 1 in Q. unfold energy, Pair.energy in Q.
-      pose proof (pow2_ge_0 (x t)). pose proof (pow2_ge_0 (v1 t)). pose proof (pow2_ge_0 (v2 t)). split; apply sq_le_abs; try lra.
+      split; apply sq_le_abs; try lra.
       - assert (x t ^ 2 <= 2 * E 0 / a2) by (undivide a2; nra). unfold X in *. nra.
       - assert (v1 t ^ 2 <= 2 * E 0 / m1) by (undivide m1; nra). unfold V in *. nra. }
     pose proof (Hb 0 (Rle_refl 0)) as Hb0. set (K := / m1 * (a2 * X + a1 * V + 0 + hi) + / m2 * hi).
@@ -432,7 +415,7 @@ Proof.
       unfold K; apply Rplus_lt_0_compat; apply Rmult_lt_0_compat; try (apply Rinv_0_lt_compat; auto); lra).
     apply (paid_vanishes E lo ltac:(auto) Em Hlo (fun t => Rabs (w t)) J K); auto.
     + apply integral_cont; auto.
-    + intros t Ht. split; [apply Rabs_pos|apply (integral_rderiv (fun t => Rabs (w t))); auto].
+    + split; [apply Rabs_pos|apply (integral_rderiv (fun t => Rabs (w t))); auto].
     + intros r t Hr. eapply Rle_trans; [apply Rabs_triang_inv2|].
       apply (slip_lip b (fun _ => 0) x v1 v2 F (a2 * X + a1 * V) 0 hi H); auto.
       * intros u Hu. destruct (Bd u Hu). split; [apply Rabs_le; split; nra|apply Hb; auto].

@@ -1,11 +1,10 @@
 (** An interface of changing strength has one motion from every start: where the strength is a function of time that has
     a continuous integral, and where it depends with bounded slopes on the place, the displacement and the speed. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Interface.
+From InertialPair Require Import Dini Pair Stick Pursuit Interface.
 
 Section Exists.
 Variables m1 m2 a1 a2 x0 v10 v20 : R.
-Variable U : R -> R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (CU : cont U).
+Context (U : R -> R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (CU : cont U).
 Let k := / m1 + / m2.
 Let kp : 0 < k. Proof. unfold k. positive. Qed.
 
@@ -13,10 +12,8 @@ Let kp : 0 < k. Proof. unfold k. positive. Qed.
 Definition place v t := x0 + integral v t.
 (** m1 v1 + b s by v1: the momentum without friction, with the force's impulse *)
 Definition force v t := m1 * v10 + (U t - U 0) - a2 * integral (place v) t - a1 * integral v t.
-(** x is continuous *)
 Lemma place_cont v : cont v -> cont (place v).
 Proof. intros. apply cont_plus; [apply cont_const|apply integral_cont; auto]. Qed.
-(** the momentum is continuous *)
 Lemma force_cont v : cont v -> cont (force v).
 Proof.
   intros. repeat apply cont_minus; [apply cont_plus; [|apply cont_minus]; auto using cont_const| |];
@@ -147,8 +144,7 @@ Qed.
 End Exists.
 
 Section Interfaces.
-Variables m1 m2 a1 a2 : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
+Context (m1 m2 a1 a2 : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
 Let rubs := rubs m1 m2 a1 a2.
 
 (** [interface-well-posed] With a friction of at most $b(t)\geqslant 0$ against the slip, where $b$ is the rate from

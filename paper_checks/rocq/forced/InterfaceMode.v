@@ -1,10 +1,10 @@
 (** The rule of the modes for an interface whose strength changes, with the strength from the time of the contact on; and
     with a strength that is constant by pieces events do not accumulate. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Arcs ModeAtContact Analytic Modes BeforeContact FinitelyManyModes RuleOfModes Interface.
+From InertialPair Require Import Dini Forced ForcedExistence Arcs ModeAtContact Analytic Modes BeforeContact
+  FinitelyManyModes RuleOfModes Interface.
 
 Section InterfaceMode.
-Variables m1 m2 a1 a2 : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
+Context (m1 m2 a1 a2 : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
 
 (** while the strength is constant, a motion is one under a force with this friction *)
 Lemma rubs_forced b U x v1 v2 F t0 d b0 : rubs m1 m2 a1 a2 b U x v1 v2 F -> 0 <= t0 -> 0 < d -> 0 < b0 ->

@@ -3,10 +3,8 @@
     theta/sin theta, theta = om1 tau <= pi/2. The force is F until tau: body 1 runs ahead with the speed beta tau
     g(t)/g(tau), and is met at tau. From then on the force may be -F, and body 1 falls behind; or, where F allows it,
     the pair sticks at the limit, and both bodies come to rest. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Arcs Nonstop NonstopUndamped
-  LeastTimeTransfer.
+From InertialPair Require Import Dini Pair Pursuit Forced Arcs Nonstop NonstopUndamped LeastTimeTransfer.
 
-(** a function whose derivative is not negative does not fall *)
 Lemma rises f f' p q : p <= q -> (forall t, is_derive f t (f' t)) -> (forall t, p <= t <= q -> 0 <= f' t) -> f p <= f q.
 Proof.
   intros Hp D P. destruct (Req_dec p q) as [->|N]; [lra|].
@@ -15,8 +13,7 @@ Proof.
 Qed.
 
 Section Arrival.
-Variables m1 m2 a1 a2 b D : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HD : 0 < D).
+Context (m1 m2 a1 a2 b D : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HD : 0 < D).
 Let tau := half_time m2 b D.
 Let be := b / m2.
 (** from rest, under a force of size F at most, body 2 is at rest at the distance D after the least time,
@@ -56,7 +53,6 @@ Proof.
     lra.
 Qed.
 
-(** all positive *)
 Lemma signs : 0 < tau /\ 0 < be /\ 0 < A.
 Proof.
   pose proof (tau_pos m2 b D Hm2 Hb HD) as T. pose proof (be_pos m2 b Hm2 Hb) as B. fold be in B. fold tau in T, Gt.
@@ -75,7 +71,6 @@ Proof.
   - intros t Ht. pose proof (g_pos t ltac:(lra)). pose proof (Gp t ltac:(fold tau; lra)).
     apply Rmult_le_pos; [|positive]. assert (0 <= a2 * g t) by positive. assert (0 <= a1 * g' t) by positive. lra.
 Qed.
-(** so it lies above its chord *)
 Lemma g_chord t : 0 <= t <= tau -> t * g tau <= tau * g t.
 Proof.
   intros Ht. destruct (Req_dec t 0) as [->|N0]; [rewrite G0; lra|]. destruct (Req_dec t tau) as [->|N1]; [lra|].
@@ -105,7 +100,6 @@ Proof.
   unfold A. undivide (g tau).
   replace (be * tau) with (m1 * be * (tau / m1)) by (field; lra). apply Rmult_le_compat_l; [nra|auto].
 Qed.
-(** the speed at the meeting *)
 Lemma A_meet : A * g tau = be * tau.
 Proof. fold tau in Gt. unfold A. field. lra. Qed.
 

@@ -1,15 +1,7 @@
 (** The fastest transfer of body 2 over D, from rest to rest in 2 tau, tau = sqrt (m2 D/b): which amplitude of the
     force it needs, stuck, and if the bodies may slip (a1 = 0). *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Arcs Nonstop NonstopUndamped.
+From InertialPair Require Import Dini Pair Forced.
 
-(** a sum of an upper right derivative and a right derivative *)
-Lemma dini_plus f g t k l : dini_le f t k -> rderiv g t l -> dini_le (fun u => f u + g u) t (k + l).
-Proof.
-  intros F G e He. destruct (F (e / 2)) as (d & Hd & K); [lra|]. destruct (G (e / 2)) as (d' & Hd' & K'); [lra|].
-  smaller d d'. intros h Hh. specialize (K h ltac:(lra)). specialize (K' h ltac:(lra)). apply Rabs_inv in K'. lra.
-Qed.
-
-(** of an equal value *)
 Lemma dini_eq f t k l : k = l -> dini_le f t k -> dini_le f t l.
 Proof. intros ->; auto. Qed.
 
@@ -26,16 +18,13 @@ Proof.
 Qed.
 
 Section Transfer.
-Variables m1 m2 a1 a2 b D : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HD : 0 < D).
+Context (m1 m2 a1 a2 b D : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HD : 0 < D).
 (** half of the least time *)
 Definition half_time := sqrt (m2 * D / b).
 Let tau := half_time.
 Let be := b / m2.
 
-(** body 2's largest acceleration is positive *)
 Lemma be_pos : 0 < be. Proof. positive. Qed.
-(** so is half of the least time *)
 Lemma tau_pos : 0 < tau. Proof. apply sqrt_lt_R0, Rdiv_lt_0_compat; auto. positive. Qed.
 (** D is run through at the acceleration beta and back *)
 Lemma tau_sq : be * (tau * tau) = D.

@@ -2,13 +2,11 @@
     sticking needs, the pair sticks if the load is within b, and slips with the load's sign if it is beyond b. The
     force need only be known from t0 on, for a while, and be continuous from the right at t0: a jump at t0 decides
     with its later value. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Approach BoundedMotions Arcs.
+From InertialPair Require Import Dini Pair Pursuit Forced.
 
 Section Mode.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
-Let kap := M / (m1 * m2).
 Variables U u x v1 v2 s : R -> R.
 Variables t0 d0 : R.
 Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (Ht0 : 0 <= t0) (Hd0 : 0 < d0)
@@ -45,21 +43,6 @@ Proof.
   - exists d. split; auto. intros q Hq. apply K; [lra|lra|]. apply Rabs_def1; lra.
 Qed.
 
-(** kappa is positive *)
-Lemma kappa_pos : 0 < kap.
-Proof. unfold kap, M. positive. Qed.
-
-(** within b, friction brings the relative velocity back *)
-Lemma held t k : t0 <= t < t0 + d0 -> k = 1 \/ k = -1 -> k * load t <= b -> 0 < k * w t ->
-  dini_le (fun r => k * w r) t 0.
-Proof.
-  intros Ht Hk G W. pose proof (q_slip m1 m2 a1 a2 b _ U x v1 v2 s H t ltac:(lra) k Hk W) as S.
-  eapply rderiv_dini; [|apply rderiv_scal, (moves_rate m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H t (u t) k ltac:(lra)
-    (DU t Ht) S)].
-  fold (load t) M. fold kap. pose proof kappa_pos. destruct Hk; subst k; nra.
-Qed.
-
-(** the relative velocity is continuous *)
 Lemma cont_w : cont w.
 Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
 
@@ -142,22 +125,20 @@ Theorem slips_at k : k = 1 \/ k = -1 -> b < k * load t0 -> exists d, 0 < d /\ fo
   0 < k * (v1 t - v2 t).
 Proof.
   intros Hk G. set (g := (k * load t0 - b) / 2). destruct (load_after g) as (d & Hd & K); [unfold g; lra|].
-  assert (Gp : 0 < M / m2 * g) by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; unfold M|unfold g]; lra).
   smaller d d0. intros t Ht. apply gain_ahead; [auto|lra|]. pose proof (gain_rises k (M / m2 * g) t0 t ltac:(lra)) as Q.
-  rewrite gain_0 in Q. assert (0 < M / m2 * g * (t - t0)) by positive.
-  eapply Rlt_le_trans; [eassumption|]. rewrite <- (Rminus_0_r (gain k t)). apply Q. intros r Hr.
-  split; [apply DU; lra|].
-  rewrite excess_of_load. apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat; unfold M; lra|].
-  specialize (K r ltac:(lra)). apply Rabs_inv in K. unfold g in *. destruct Hk; subst k; lra.
+  rewrite gain_0 in Q. assert (0 < M / m2 * g * (t - t0)) by positive. eapply Rlt_le_trans; [eassumption|].
+  rewrite <- (Rminus_0_r (gain k t)). apply Q. intros r Hr. split; [apply DU; lra|]. rewrite excess_of_load.
+  apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat; unfold M; lra|]. specialize (K r ltac:(lra)).
+  apply Rabs_inv in K. unfold g in *. destruct Hk; subst k; lra.
 Qed.
 
 (** while the load is at most b no slip forwards begins *)
 Lemma stays_behind k r t : k = 1 \/ k = -1 -> t0 <= r <= t -> t <= t0 + d0 -> k * w r <= 0 ->
   (forall q, r <= q < t -> k * load q <= b) -> k * w t <= 0.
 Proof.
-  intros Hk Hr Ht W L. apply le_epsilon. intros e He. rewrite Rplus_0_l.
-  apply (barrier_until (fun q => k * w q) e r t); [apply cont_scal, cont_w|lra|lra|].
-  intros q Hq Wq. apply held; [lra|auto|apply L; lra|lra].
+  intros Hk Hr Ht W L. apply (moves_behind m1 m2 a1 a2 b Hm1 Hm2 _ _ _ _ _ _ H r t k); auto; [lra|]. intros q Hq.
+  exists (k * u q). split; [eapply rderiv_dini; [apply Rle_refl|apply rderiv_scal, DU; lra]|].
+  replace (m2 * _) with (k * load q * (m1 + m2)) by (unfold load; field; lra). apply Rmult_le_compat_r; [lra|auto].
 Qed.
 Lemma not_ahead k : k = 1 \/ k = -1 -> k * load t0 < b -> exists d, 0 < d <= d0 /\ forall t, t0 <= t < t0 + d ->
   k * (v1 t - v2 t) <= 0.

@@ -6,19 +6,16 @@
     the sinusoid minus b times k, where k is its response to the push 1 of that kind: k and its speed change sign over
       half a period. What is left to choose is the phase; v1 = v2 at the turn fixes one part of the response,
       and v1 > v2 afterwards asks at least so much of the other. *)
-From InertialPair Require Import Dini Pair Stick EnergyLimit Pursuit Forced ForcedExistence Approach BoundedMotions
-  Arcs.
+From InertialPair Require Import Dini Pair Stick EnergyLimit Forced Arcs.
 
 (** the impulse of F sin (om t + phi) *)
 Definition wave F om phi t := F / om * (cos phi - cos (om * t + phi)).
 
-(** its derivative is the force *)
 Lemma derive_wave F om phi t : 0 < om -> is_derive (wave F om phi) t (F * sin (om * t + phi)).
 Proof. intros Hom. unfold wave. auto_derive; auto. field; lra. Qed.
 (** the same from the right *)
 Lemma rderiv_wave F om phi t : 0 < om -> rderiv (wave F om phi) t (F * sin (om * t + phi)).
 Proof. intros Hom. apply rderiv_of_derive, derive_wave; auto. Qed.
-(** it is continuous *)
 Lemma cont_wave F om phi : 0 < om -> cont (wave F om phi).
 Proof. intros Hom. exact (cont_of_derive _ _ (fun t => derive_wave F om phi t Hom)). Qed.
 (** it repeats with the opposite sign *)
@@ -48,7 +45,6 @@ Proof.
     intros t Ht. specialize (P t ltac:(lra)). lra.
 Qed.
 
-(** a right derivative 0: no change *)
 Lemma rderiv_0 f r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> rderiv f u 0) -> f t = f r.
 Proof. intros C Hr D. pose proof (rderiv_line f 0 r t C Hr D). lra. Qed.
 
@@ -128,8 +124,7 @@ Proof.
 Qed.
 
 Section Nonstop.
-Variables m1 m2 a1 a2 b om : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
+Context (m1 m2 a1 a2 b om : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
 
 (** the square of body 1's dynamic stiffness *)
 Definition Z1 := (a2 - m1 * om ^ 2) ^ 2 + (a1 * om) ^ 2.
@@ -153,10 +148,8 @@ Hypotheses (Dk : forall t, is_derive k t (k' t)) (Dk' : forall t, is_derive k' t
   (Ek : k (PI / om) = - k 0) (Ek' : k' (PI / om) = - k' 0) (HZ : 0 < Z1) (Hl : 0 < leave (k 0) (k' 0)).
 Let T := PI / om.
 
-(** half a period is positive *)
 Lemma half_pos : 0 < T.
 Proof. apply Rdiv_lt_0_compat; [apply PI_RGT_0|auto]. Qed.
-(** v1 = v2 at the turn *)
 Lemma turn_0 : om * turn (k' 0) - b * k' 0 = - (b / m2 * (T / 2)).
 Proof. unfold turn, T. field; lra. Qed.
 

@@ -25,8 +25,7 @@ Proof.
 Qed.
 
 Section Damped.
-Variables m1 m2 a1 a2 b om : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
+Context (m1 m2 a1 a2 b om : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
 Hypothesis Hosc : a1 ^ 2 < 4 * m1 * a2.
 
 (** the frequency of body 1's free swing, which decays at the rate [fade m1 a1] *)
@@ -66,16 +65,12 @@ Proof.
   - rewrite sqrt_neg_0 in O by auto. lra.
   - rewrite sqrt_sqrt by lra. unfold la. field; lra.
 Qed.
-(** its decay *)
 Lemma la_m : 2 * m1 * la = a1.
 Proof. unfold la, fade. field; lra. Qed.
-(** it decays *)
 Lemma la_pos : 0 < la.
 Proof. apply Rdiv_lt_0_compat; lra. Qed.
-(** half a period is positive *)
 Lemma T_pos : 0 < T.
 Proof. apply Rdiv_lt_0_compat; [apply PI_RGT_0|auto]. Qed.
-(** the denominator is positive *)
 Lemma weight_pos : 0 < weight.
 Proof.
   unfold weight. pose proof la_pos. pose proof T_pos. assert (0 < la * T) by nra. pose proof (sinh_above _ H1) as S.
@@ -86,10 +81,8 @@ Proof.
   assert (1 < (exp z + exp (- z)) / 2); [|lra]. assert (0 < (exp z - 1) ^ 2) by positive. nra.
 Qed.
 
-(** the speed is the place's derivative *)
 Lemma derive_swing t : is_derive damped_swing t (damped_swing' t).
 Proof. pose proof od_pos. unfold damped_swing, damped_swing'. auto_derive; auto. unfold Q. field; lra. Qed.
-(** and it obeys the law of motion under the push 1 *)
 Lemma derive_swing' t : is_derive damped_swing' t ((1 - a1 * damped_swing' t - a2 * damped_swing t) / m1).
 Proof.
   pose proof od_pos as O. unfold damped_swing, damped_swing'. auto_derive; auto. pose proof od_sq as E. rewrite <- la_m.
@@ -106,14 +99,11 @@ Proof.
   unfold cosh, sinh. transitivity (exp z * exp (- z)); [field|]. rewrite <- exp_plus, Rplus_opp_r, exp_0. auto.
 Qed.
 
-(** the place at the turn *)
 Lemma swing_0 : damped_swing 0 = h.
 Proof. unfold damped_swing. rewrite !Rmult_0_r, Ropp_0, exp_0, cos_0, sin_0. unfold P. field; lra. Qed.
-(** the speed at the turn *)
 Lemma swing'_0 : damped_swing' 0 = h'.
 Proof. unfold damped_swing'. rewrite !Rmult_0_r, Ropp_0, exp_0, cos_0, sin_0. field; lra. Qed.
 
-(** both change sign over half a period *)
 Lemma swing_T : damped_swing T = - h /\ damped_swing' T = - h'.
 Proof.
   pose proof od_pos as O. pose proof weight_pos as W. pose proof od_sq as E.

@@ -1,10 +1,9 @@
 (** U** for a pair with more than critical damping, a1^2 > 4 m1 a2: the response of body 1 to the square wave is a sum
   of two exponentials, and the least amplitude of a motion that never stops is the one of `Nonstop.v`. *)
-From InertialPair Require Import Dini Pair Stick Forced Nonstop.
+From InertialPair Require Import Dini Nonstop.
 
 Section Overdamped.
-Variables m1 m2 a1 a2 b om : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
+Context (m1 m2 a1 a2 b om : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
 Hypothesis Hover : 4 * m1 * a2 < a1 ^ 2.
 Let T := PI / om.
 
@@ -20,7 +19,6 @@ Let root : 0 < sqrt (a1 ^ 2 - 4 * m1 * a2). Proof. apply sqrt_lt_R0. lra. Qed.
 Let square : sqrt (a1 ^ 2 - 4 * m1 * a2) * sqrt (a1 ^ 2 - 4 * m1 * a2) = a1 ^ 2 - 4 * m1 * a2. Proof. apply sqrt_sqrt.
   lra. Qed.
 
-(** both are negative roots *)
 Lemma rates : fast < slow < 0 /\ m1 * slow ^ 2 + a1 * slow + a2 = 0 /\ m1 * fast ^ 2 + a1 * fast + a2 = 0.
 Proof.
   set (w := sqrt (a1 ^ 2 - 4 * m1 * a2)) in *. assert (w < a1) by nra. unfold slow, fast. fold w.

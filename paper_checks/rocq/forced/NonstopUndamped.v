@@ -1,6 +1,6 @@
 (** U** without damping. The motion that slips for ever has a closed threshold, and above body 1's resonance the
     relative velocity keeps its sign by itself, so that the threshold decides alone. *)
-From InertialPair Require Import Dini Stick Forced Nonstop.
+From InertialPair Require Import Dini Nonstop.
 
 (** an increasing function, by its derivative inside *)
 Lemma grows f f' p q : p < q -> (forall t, p <= t <= q -> is_derive f t (f' t)) -> (forall t, p < t < q ->
@@ -103,8 +103,7 @@ Proof.
 Qed.
 
 Section Undamped.
-Variables m1 m2 a2 b om : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
+Context (m1 m2 a2 b om : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
 (** body 1's own frequency over that of the force *)
 Let o1 := sqrt (a2 / m1).
 Let al := PI * o1 / (2 * om).
@@ -122,31 +121,23 @@ Let k' := swing'.
 Definition Fslip_undamped := b / om ^ 2 * Rabs (a2 / m1 - om ^ 2) *
   sqrt ((om / sqrt (a2 / m1) * tan (PI * sqrt (a2 / m1) / (2 * om)) + PI * m1 / (2 * m2)) ^ 2 + ((m1 + m2) / m2) ^ 2).
 
-(** body 1's own frequency is positive *)
 Lemma own_pos : 0 < o1. Proof. positive. Qed.
-(** its square *)
 Lemma own_sq : m1 * (o1 * o1) = a2.
 Proof. unfold o1. rewrite sqrt_sqrt by positive. field; lra. Qed.
 
-(** the speed is the place's derivative *)
 Lemma derive_k t : is_derive k t (k' t).
 Proof.
   pose proof own_pos. unfold k, k', swing, swing'; fold o1; fold al. auto_derive; auto. rewrite <- own_sq.
     unfold Rminus. field. repeat split; lra.
 Qed.
-(** and obeys the law of motion under the push 1 *)
 Lemma derive_k' t : is_derive k' t ((1 - 0 * k' t - a2 * k t) / m1).
 Proof.
   pose proof own_pos. unfold k, k', swing, swing'; fold o1; fold al. auto_derive; auto. rewrite Rmult_0_l.
     unfold Rminus. field. repeat split; lra.
 Qed.
-(** the angle at the start *)
 Lemma angle_0 : o1 * (0 - PI / (2 * om)) = - al. Proof. unfold al. field; lra. Qed.
-(** and half a period later *)
 Lemma angle_T : o1 * (PI / om - PI / (2 * om)) = al. Proof. unfold al. field; lra. Qed.
-(** the place at the turn *)
 Lemma k_0 : k 0 = 0. Proof. unfold k, swing; fold o1; fold al. rewrite angle_0, cos_neg. field; lra. Qed.
-(** the speed at the turn *)
 Lemma k'_0 : k' 0 = - (tan al / (m1 * o1)).
 Proof. pose proof own_pos. unfold k', swing', tan; fold o1; fold al. rewrite angle_0, sin_neg. field; repeat split;
   lra. Qed.

@@ -2,7 +2,7 @@
     to it. The states of any motion at 0, P, 2P, ... have a cluster point z (bounded), consecutive ones approach each
     other, and the period map does not increase distances: so it fixes z. *)
 From Coq Require Import ConstructiveEpsilon.
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Approach BoundedMotions Arcs.
+From InertialPair Require Import Dini Pair Forced ForcedExistence BoundedMotions Arcs.
 
 (** a bounded sequence converges along some phi with n <= phi n *)
 Lemma subseq (u : nat -> R) B : (forall n, Rabs (u n) <= B) -> exists l (phi : nat -> nat), (forall n,
@@ -43,8 +43,7 @@ Proof.
 Qed.
 
 Section Periodic.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let forced := forced m1 m2 a1 a2 b.
 Let energy := energy m1 m2 a2.
 

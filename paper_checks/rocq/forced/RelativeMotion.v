@@ -1,6 +1,6 @@
 (** The relative motion of the bodies in a tube of the energy distance: how far the relative velocities differ, and
     that the displacement is not seen. *)
-From InertialPair Require Import Dini Pair Forced Drift.
+From InertialPair Require Import Dini Pair Forced.
 
 (** [ring-factor] $|v_1-v_2|\leqslant\sqrt\kappa\,N$, $\kappa=(m_1+m_2)/(m_1m_2)$, and no smaller factor suffices. *)
 Theorem ring_factor m1 m2 a2 : 0 < m1 -> 0 < m2 -> 0 < a2 ->

@@ -1,7 +1,6 @@
 (** The rest of the rule of modes: how slip and stick move under the load; the tie in which every derivative is 0;
     jumps of the force. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Approach BoundedMotions Arcs
-  Entrainment ModeAtContact Analytic BeforeContact.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced Arcs ModeAtContact Analytic BeforeContact.
 
 (** the derivatives of an analytic function are those of its series *)
 Lemma derivatives f t : analytic_at f t -> exists (P : nat -> R -> R) d C K, 0 < d /\ 0 < C /\ 0 < K /\
@@ -19,10 +18,8 @@ Proof.
 Qed.
 
 Section Rule.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
-Variables U u x v1 v2 s : R -> R.
-Hypothesis H : forced m1 m2 a1 a2 b U x v1 v2 s.
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (U u x v1 v2 s : R -> R) (H : forced m1 m2 a1 a2 b U x v1 v2 s).
 Let load := load m1 m2 a1 a2 u x v1.
 
 (** [slip-rate] In slip the rate of the relative velocity is given by the load in excess of $\pm b$. *)

@@ -2,8 +2,7 @@
 From InertialPair Require Import Dini.
 
 Section ThirdRoot.
-Variables c k K : R.
-Hypotheses (Hc : 0 < c) (Hk : 0 < k) (HK : 0 < K).
+Context (c k K : R) (Hc : 0 < c) (Hk : 0 < k) (HK : 0 < K).
 (** V stays below M/X *)
 Let M := 2 * K / k.
 
@@ -14,8 +13,7 @@ Definition period_of_growth x v x' v' :=
 Let X0 := 1 + k + 4 * c / k + M + (4 * K * (M + 1) / c) ^ 2 + 4 * K * (M + 1) / c.
 
 Section Orbit.
-Variables X V : nat -> R.
-Hypotheses (Start : X0 <= X O) (Still : V O = 0).
+Context (X V : nat -> R) (Start : X0 <= X O) (Still : V O = 0).
 Hypothesis Gain : forall n, X0 <= X n -> 0 <= V n <= 1 -> period_of_growth (X n) (V n) (X (S n)) (V (S n)).
 
 Let M0 : 0 < M.

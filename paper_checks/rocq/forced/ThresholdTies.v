@@ -1,7 +1,7 @@
 (** Ties: the amplitudes U* and U** and the response to the square wave are what `theory/` derives. A test prints each expression of the
     theory and looks for it in the statement. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Pair Stick Forced Entrainment Nonstop NonstopUndamped NonstopDamped.
+From InertialPair Require Import Dini Entrainment Nonstop NonstopUndamped NonstopDamped.
 
 (** [tie-entrained-amplitude] $U_*$, the amplitude up to which the stuck response is a motion. *)
 Theorem tie_entrained_amplitude : forall m1 m2 a1 a2 b om : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> Fstar m1 m2 a1 a2 b om = (b * (/ m2) * (/ (om ^ 2)) * (sqrt (((a2 + ((-1) * m1 * (om ^ 2)) + ((-1) * m2 * (om ^ 2))) ^ 2) + ((a1 ^ 2) * (om ^ 2))))).

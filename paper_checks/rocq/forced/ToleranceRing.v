@@ -1,6 +1,6 @@
 (** The tolerance ring under a force: the energy distance of two motions never grows, so a tube around one of them has
     one entry time for the other and is never left; in it the relative velocities differ by a bounded amount. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Approach BoundedMotions RelativeMotion.
+From InertialPair Require Import Dini Pair Forced BoundedMotions RelativeMotion.
 
 (** a continuous function that never grows and comes down to e: from one time on it is there, and before it is not *)
 Lemma one_entry f e r : cont f -> (forall p q, 0 <= p <= q -> f q <= f p) -> 0 <= r -> f r <= e ->
@@ -15,8 +15,7 @@ Proof.
 Qed.
 
 Section Ring.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** the relative velocity is seen by the energy: (p - q)^2 <= kappa (m1 p^2 + m2 q^2), kappa = M/(m1 m2) *)
 Lemma relative x p q e : energy m1 m2 a2 x p q <= e -> Rabs (p - q) <= sqrt (2 * ((m1 + m2) / (m1 * m2)) * e).

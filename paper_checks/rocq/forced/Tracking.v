@@ -2,8 +2,7 @@
 From InertialPair Require Import Dini Pair Pursuit Forced BoundedMotions.
 
 Section Tracking.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** [tracks] With $a_1>0$, under the force of the stuck motion along a reference with $|\ddot
     x_{\mathrm{ref}}|\leqslant b/m_2$, but for a constant, if it is bounded: $v_1$, $v_2$ and $x_1$ of every motion

@@ -1,7 +1,7 @@
 (** Ties: the fastest transfer and the amplitudes that it needs are what `theory/` derives. A test prints each expression of the
     theory and looks for it in the statement. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Pair Stick Forced Nonstop LeastTimeTransfer LeastAmplitude.
+From InertialPair Require Import Dini Forced LeastTimeTransfer LeastAmplitude.
 
 (** every square root of a parameter as a letter of its own *)
 Ltac root y := let w := fresh "w" in let E := fresh "E" in let P := fresh "P" in

@@ -2,7 +2,7 @@
     and the two parts of the force solve a linear system: the load is b at the exit, v1 = v2 again at the end of the
     slip, and the state has changed sign after half a period. A solution of it is such a motion exactly if v1 > v2 in
     the slip and the load stays within b in the stick. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Entrainment Arcs Nonstop RuleOfModes.
+From InertialPair Require Import Dini Pair Forced Arcs Nonstop RuleOfModes.
 
 Section TwoStop.
 Variables m1 m2 a1 a2 b om F phi ts : R.

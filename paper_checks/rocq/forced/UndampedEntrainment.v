@@ -4,15 +4,13 @@ From Coq Require Import Rtopology.
 From InertialPair Require Import Dini PaidRates Pair Stick TurnedFrame Pursuit Forced EnergyLimit Interface Entrainment.
 
 Section Slide.
-Variables m1 m2 a1 a2 b rho : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b rho : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Variables U x v1 v2 s y v r : R -> R.
 Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (H' : forced m1 m2 a1 a2 b U y v v r)
   (Easy : forall p q, 0 <= p <= q -> Rabs (r q - r p) <= rho * (q - p)).
 Let w t := v1 t - v2 t.
 Let D t := energy m1 m2 a2 (x t - y t) (v1 t - v t) (v2 t - v t).
 
-(** the relative velocity is continuous *)
 Lemma cont_slip : cont w.
 Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
 
@@ -22,13 +20,11 @@ Proof.
   intros Ht e He. assert (Z : rderiv (fun q => U q - U q) t 0).
   { apply rderiv_ext with (fun _ => 0); [intros; ring|apply rderiv_const]. }
   destruct (interface_parts m1 m2 a1 a2 Hm1 Hm2 _ _ _ _ _ _ _ _ _ _ _ _ (forced_rubs _ _ _ _ b _ _ _ _ _ Hb H)
-    (stuck_rubs _ _ _ _ b rho _ _ _ _ Hb H' Easy) t 0 Ht Z e He) as (d & Hd & K).
-  exists d. split; auto. intros h Hh. specialize (K h Hh). cbv beta in K. rewrite (Rminus_diag_eq (v t)), Rabs_R0 in K by auto.
-  pose proof (pow2_ge_0 (v1 t - v t)). assert (0 <= a1 * (v1 t - v t) ^ 2 * h) by (apply Rmult_le_pos; [positive|lra]).
-  unfold D, w. lra.
+    (stuck_rubs _ _ _ _ b rho _ _ _ _ Hb H' Easy) t 0 Ht Z e He) as (d & Hd & K). exists d. split; auto. intros h Hh.
+  specialize (K h Hh). rewrite (Rminus_diag_eq (v t)), Rabs_R0 in K by auto.
+  assert (0 <= a1 * (v1 t - v t) ^ 2 * h) by positive. unfold D, w. lra.
 Qed.
 
-(** the distance is continuous *)
 Lemma cont_D : cont D.
 Proof. exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H'). Qed.
 
@@ -57,7 +53,7 @@ Proof.
   { assert (0 <= INR (j - i) * z) by (apply Rmult_le_pos; auto using pos_INR).
     assert (L : -1 < IZR k) by lra. apply lt_IZR in L. lia. }
   exists (Z.to_nat k). split; [lia|]. rewrite INR_IZR_INZ with (n := Z.to_nat k), Z2Nat.id by auto.
-  rewrite Ij. apply Rabs_def1; lra.
+  apply Rabs_def1; lra.
 Qed.
 
 (** *** Without a damper: every motion under F sin (om t), F < F*, tends to one stuck motion *)
@@ -65,8 +61,7 @@ Section Undamped.
 Variables m1 m2 a2 b F om : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b) (HF : 0 <= F) (Hom : 0 < om)
   (HZ : 0 < Z m1 m2 0 a2 om) (Low : F < Fstar m1 m2 0 a2 b om).
-Variables x v1 v2 s : R -> R.
-Hypothesis H : forced m1 m2 0 a2 b (drive F om) x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : forced m1 m2 0 a2 b (drive F om) x v1 v2 s).
 Let M := m1 + m2.
 Let Om := omega m1 m2 a2.
 Let y := rX m1 m2 0 a2 F om.
@@ -91,10 +86,9 @@ Proof.
   intros Hp. pose proof (sqrt_lt_R0 _ HZ) as Sz. assert (O2 : 0 < om ^ 2) by nra.
   apply (lip_of_rderiv (fun t => m2 / b * v t) (fun t => m2 / b * (- om ^ 2 * y t))); auto.
   { apply cont_scal. eapply cont_of_derive; intros; apply derive_rV. }
-  intros t Ht. split; [apply rderiv_scal, rderiv_of_derive, derive_rV|].
+  split; [apply rderiv_scal, rderiv_of_derive, derive_rV|].
   replace rho with (m2 / b * (om ^ 2 * (F / sqrt (Z m1 m2 0 a2 om)))) by (unfold rho, Fstar; field; repeat split; lra).
-  apply abs_scal; [positive|]. rewrite <- Ropp_mult_distr_l, Rabs_Ropp.
-  apply abs_scal; [lra|]. apply rX_bound; auto.
+  apply abs_scal; [positive|]. rewrite <- Ropp_mult_distr_l, Rabs_Ropp. apply abs_scal; [lra|]. apply rX_bound; auto.
 Qed.
 
 (** that share is less than all of it *)
@@ -105,7 +99,7 @@ Proof.
 Qed.
 
 Let del := b * (1 - rho).
-Let del_pos : 0 < del. Proof. pose proof share_below. unfold del. apply Rmult_lt_0_compat; lra. Qed.
+Let del_pos : 0 < del. Proof. pose proof share_below. apply Rmult_lt_0_compat; lra. Qed.
 
 (** the distance falls at the rate delta |w| at least *)
 Lemma D_pays t : 0 <= t -> dini_le D t (- (del * Rabs (w t))).
@@ -113,7 +107,6 @@ Proof.
   intros Ht. replace (w t) with (v1 t - v2 t) by (unfold w, d1, d2; ring).
   exact (D_falls m1 m2 0 a2 b rho Hm1 Hm2 (Rle_refl 0) Hb _ _ _ _ _ _ _ _ H Stuck share t Ht).
 Qed.
-(** and never grows *)
 Lemma D_mono p q : 0 <= p <= q -> D q <= D p.
 Proof. exact (forced_contraction m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb _ _ _ _ _ _ _ _ _ p q H Stuck). Qed.
 
@@ -132,20 +125,17 @@ Qed.
 (** the relative velocity is Lipschitz, as all forces stay bounded *)
 Lemma relative_lip : exists K, 0 < K /\ forall p q, 0 <= p <= q -> Rabs (w q - w p) <= K * (q - p).
 Proof.
-  set (X0 := sqrt (2 * D 0 / a2)). set (Y0 := F / sqrt (Z m1 m2 0 a2 om)). pose proof (sqrt_lt_R0 _ HZ) as Sz.
-  assert (DP : forall t, 0 <= D t) by (intros t; apply energy_pos; auto).
+  set (X0 := sqrt (2 * D 0 / a2)). set (Y0 := F / sqrt (Z m1 m2 0 a2 om)).
   assert (Hx : forall t, 0 <= t -> Rabs (x t) <= Y0 + X0).
   { intros t Ht. replace (x t) with (y t + dx t) by (unfold dx; ring). eapply Rle_trans; [apply Rabs_triang|].
     apply Rplus_le_compat; [apply rX_bound; auto|]. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr.
-    undivide a2. pose proof (D_mono 0 t ltac:(lra)) as Q. unfold D at 1, energy in Q.
-    pose proof (pow2_ge_0 (d1 t)). pose proof (pow2_ge_0 (d2 t)). nra. }
-  assert (Y1 : 0 <= Y0) by (unfold Y0; positive). assert (X1 : 0 <= X0) by apply sqrt_pos.
+    undivide a2. pose proof (D_mono 0 t ltac:(lra)) as Q. unfold D at 1, energy in Q. nra. }
   exists (/ m1 * (a2 * (Y0 + X0) + F + b) + / m2 * b). split.
   { assert (0 <= / m1 * (a2 * (Y0 + X0) + F + b)) by positive. assert (0 < / m2 * b) by positive. lra. }
   intros p q Hp. replace (w q - w p) with ((v1 q - v2 q) - (v1 p - v2 p)) by (unfold w, d1, d2; ring).
   apply (slip_lip m1 m2 0 a2 Hm1 Hm2 (fun _ => b) (drive F om) x v1 v2 _ (a2 * (Y0 + X0)) F b (forced_rubs _ _ _ _ b _ _ _ _ _ Hb H)); auto.
-  - intros t Ht. split; [|lra]. replace (a2 * x t + 0 * v1 t) with (a2 * x t) by ring. apply abs_scal; [lra|auto].
-  - intros r t Hr. apply drive_lip; auto.
+  - split; [|lra]. replace (a2 * x t + 0 * v1 t) with (a2 * x t) by ring. apply abs_scal; [lra|auto].
+  - apply drive_lip; auto.
 Qed.
 
 (** the response and a free oscillation of the pair beside it: its place *)
@@ -183,7 +173,6 @@ Proof.
   assert (Rabs (sin (Om * t)) <= 1) by (apply Rabs_le, SIN_bound). nra.
 Qed.
 
-(** and has its period *)
 Lemma free_period x0 v0 k t : V m1 m2 a2 x0 v0 (t + INR k * (2 * PI / Om)) = V m1 m2 a2 x0 v0 t.
 Proof.
   unfold V. fold Om. replace (Om * (t + INR k * (2 * PI / Om))) with (Om * t + 2 * INR k * PI) by (field; lra).
@@ -206,10 +195,9 @@ Proof.
   replace (V m1 m2 a2 x0 v0 (t + INR n * (2 * PI / om))) with (V m1 m2 a2 x0 v0 (t + tau + d * tau)).
   2: { rewrite <- (free_period x0 v0 k (t + tau + d * tau)), <- (free_period x0 v0 1 (t + INR n * (2 * PI / om))).
     f_equal. unfold d, tau. simpl INR. field. split; lra. }
-  rewrite <- (free_period x0 v0 1 t) at 1. simpl INR. rewrite Rmult_1_l. fold tau.
-  match goal with |- Rabs ?z <= _ =>
-    replace z with (V m1 m2 a2 x0 v0 (t + tau + d * tau) - V m1 m2 a2 x0 v0 (t + tau)) by ring end.
-  destruct (Rle_dec 0 d).
+  rewrite <- (free_period x0 v0 1 t) at 1. rewrite Rmult_1_l. fold tau.
+  match goal with |- Rabs ?z <= _ => replace z with (V m1 m2 a2 x0 v0 (t + tau + d * tau) - V m1 m2 a2 x0 v0 (t + tau))
+    by ring end. destruct (Rle_dec 0 d).
   - pose proof (L (t + tau) (t + tau + d * tau)) as Q. assert (0 <= d * tau) by positive.
     specialize (Q ltac:(lra)). eapply Rle_trans; [exact Q|]. eapply Rle_trans; [|exact Kg].
     apply Rmult_le_compat_l; [lra|]. replace (t + tau + d * tau - (t + tau)) with (d * tau) by ring.
@@ -252,10 +240,8 @@ Proof.
     { apply le_INR in Hn. assert (INR N * (2 * PI / om) <= S) by (apply Rmult_le_compat_r; lra). lra. }
     pose proof (Rep p ltac:(lra)) as E1. pose proof (Rep q ltac:(lra)) as E2.
     pose proof (Close (p + S) ltac:(lra)) as C1. pose proof (Close (q + S) ltac:(lra)) as C2.
-    pose proof (only_gentle m1 m2 0 a2 b Hm2 Hb _ _ _ _ _ (p + S) (q + S) H ltac:(lra)) as G.
-    replace (q + S - (p + S)) with (q - p) in G by ring.
-    apply Rabs_inv in E1. apply Rabs_inv in E2. apply Rabs_inv in C1. apply Rabs_inv in C2. apply Rabs_inv in G.
-    apply Rabs_le; lra.
+    pose proof (only_gentle m1 m2 0 a2 b Hm2 Hb _ _ _ _ _ (p + S) (q + S) H ltac:(lra)) as G. apply Rabs_inv in E1.
+    apply Rabs_inv in E2. apply Rabs_inv in C1. apply Rabs_inv in C2. apply Rabs_inv in G. apply Rabs_le; lra.
 Qed.
 
 (** *** a1 = 0, F < F*: the path of the slip is at most the energy distance from the stuck response over b times the unused share of F*,

@@ -1,7 +1,7 @@
 (** A friction that changes in time, by pieces: b1 for the time T1, then b2 for T2, ..., and b from then on. A motion
     of such a pair is one of constant friction in each piece. *)
 From Coq Require Import List.
-From InertialPair Require Import Dini Pair Forced.
+From InertialPair Require Import Dini Forced.
 
 (** the motions with the pieces (friction, duration) and the friction b behind the last *)
 Fixpoint varying m1 m2 a1 a2 (pieces : list (R * R)) b (U x v1 v2 : R -> R) : Prop :=

@@ -2,7 +2,7 @@
     its first root, and what a motion does until then: a slip up to its next contact, a stick up to its edge.
     Damping may be below, at or beyond its critical value. *)
 From Coq Require Import List.
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Arcs.
+From InertialPair Require Import Dini Stick Arcs.
 
 (** *** Waves *)
 (** the cosine and the sine of a frequency whose square is d, which need not be positive: cos (w u) and sin (w u) / w,
@@ -17,27 +17,23 @@ Definition sine d u :=
 (** the frequency *)
 Lemma frequency_sq d : d <> 0 -> 0 < sqrt (Rabs d) /\ sqrt (Rabs d) * sqrt (Rabs d) = Rabs d.
 Proof. intros N. pose proof (Rabs_pos_lt d N). split; [positive|apply sqrt_sqrt; lra]. Qed.
-(** the derivative of the cosine *)
 Lemma derive_cosine d u : is_derive (cosine d) u (- (d * sine d u)).
 Proof.
   unfold cosine, sine. destruct (Rlt_dec 0 d) as [P|P]; [|destruct (Rlt_dec d 0) as [N|N]].
   - destruct (frequency_sq d ltac:(lra)) as (W & E). rewrite (Rabs_pos_eq d) in * by lra. set (w := sqrt d) in *.
     clearbody w. subst d. auto_derive; auto. field; lra.
   - destruct (frequency_sq d ltac:(lra)) as (W & E). rewrite (Rabs_left d) in * by lra. set (w := sqrt (- d)) in *.
-    clearbody w. replace d with (- (w * w)) by lra. unfold cosh, sinh. auto_derive; auto. field; lra.
+    replace d with (- (w * w)) by lra. auto_derive; auto. field; lra.
   - assert (d = 0) as -> by lra. auto_derive; auto. ring.
 Qed.
-(** and of the sine *)
 Lemma derive_sine d u : is_derive (sine d) u (cosine d u).
 Proof.
   unfold cosine, sine. destruct (Rlt_dec 0 d) as [P|P]; [|destruct (Rlt_dec d 0) as [N|N]].
   1, 2: destruct (frequency_sq d ltac:(lra)) as (W & _); unfold cosh, sinh; auto_derive; auto; field; lra.
   auto_derive; auto.
 Qed.
-(** the cosine now *)
 Lemma cosine_0 d : cosine d 0 = 1.
 Proof. unfold cosine, cosh. repeat destruct Rlt_dec; rewrite ?Rmult_0_r, ?Ropp_0, ?exp_0, ?cos_0; lra. Qed.
-(** the sine now *)
 Lemma sine_0 d : sine d 0 = 0.
 Proof.
   unfold sine, sinh. repeat destruct Rlt_dec; auto; destruct (frequency_sq d ltac:(lra));
@@ -129,7 +125,6 @@ Definition spare t x v := let y := ka2 K * x - sval (force K) t in let l := kb K
 End Computed.
 Notation slope := (sloped real).
 
-(** derivatives are unique *)
 Lemma is_derive_unique_at (f : R -> R) u k l : is_derive f u k -> is_derive f u l -> k = l.
 Proof. intros D E. rewrite <- (is_derive_unique f u k D). apply is_derive_unique, E. Qed.
 (** a sign *)
@@ -142,16 +137,14 @@ Definition val f u := still f + drift f * u +
   exp (- (decay f * u)) * (even f * cosine (square f) u + odd f * sine (square f) u) + sval real (answer f) (clock f + u).
 
 Lemma pval_cons c l u : pval real (c :: l) u = c + u * pval real l u. Proof. reflexivity. Qed.
-(** a sum of polynomials *)
 Lemma pval_padd l : forall k u, pval real (padd real l k) u = pval real l u + pval real k u.
 Proof.
   induction l as [|c l IH]; intros [|d k] u; cbn [padd]; rewrite ?pval_cons, ?IH; unfold pval; simpl; ring.
 Qed.
-(** the derivative of a polynomial *)
 Lemma derive_pval l u : is_derive (pval real l) u (pval real (dpoly real l) u).
 Proof.
   induction l as [|c l IH].
-  - apply (is_derive_ext (fun _ => 0)); [auto|]. apply (is_derive_const 0 u).
+  - apply (is_derive_const 0 u).
   - replace (pval real (dpoly real (c :: l)) u) with (pval real l u + u * pval real (dpoly real l) u).
     + apply (is_derive_ext (fun t => c + t * pval real l t)); [auto|].
       assert (E : Derive (fun t => pval real l t) u = pval real (dpoly real l) u) by (apply is_derive_unique, IH).
@@ -159,13 +152,12 @@ Proof.
     + destruct l as [|d l]; [simpl; ring|]. change (dpoly real (c :: d :: l)) with
         (padd real (d :: l) (0 :: dpoly real (d :: l))). rewrite pval_padd, (pval_cons 0). ring.
 Qed.
-(** the derivative of an answer *)
 Lemma derive_sval y t : is_derive (sval real y) t (sval real (dsteady real y) t).
 Proof.
   destruct y as [t0 l zs]. induction zs as [|z zs IH]; unfold sval in *; cbn [answer tones poly from dsteady map] in *.
-  - cbn [fold_right]. rewrite <- (Rmult_1_l (pval _ (dpoly real l) _)).
+  - rewrite <- (Rmult_1_l (pval _ (dpoly real l) _)).
     apply (is_derive_comp (pval real l) (fun t => t - t0)); [apply derive_pval|]. auto_derive; auto; ring.
-  - cbn [fold_right]. apply (is_derive_plus (tval real z)); [|exact IH]. unfold tval, dtone; simpl. auto_derive; auto. ring.
+  - apply (is_derive_plus (tval real z)); [|exact IH]. unfold tval, dtone; simpl. auto_derive; auto. ring.
 Qed.
 (** that of a scaled one *)
 Lemma sval_scaled c y t : sval real (scaled (fun r => c * r) y) t = c * sval real y t.
@@ -180,7 +172,6 @@ Proof.
   intros E. unfold scaled. f_equal; apply map_ext; [auto|]. intros z. rewrite !E. auto.
 Qed.
 
-(** the derivative of a wave *)
 Lemma derive_val f (u : R) : is_derive (val f) u (val (slope f) u).
 Proof.
   pose proof (derive_cosine (square f) u) as C. pose proof (derive_sine (square f) u) as S.
@@ -194,7 +185,6 @@ Proof.
   auto_derive; [repeat split; eexists; eauto|]. rewrite EC, ES, ED. ring.
 Qed.
 
-(** its value now *)
 Lemma val_0 f : val f 0 = still f + even f + sval real (answer f) (clock f).
 Proof. unfold val. rewrite !Rmult_0_r, Ropp_0, exp_0, cosine_0, sine_0, (Rplus_0_r (clock f)). ring. Qed.
 
@@ -208,8 +198,7 @@ Proof.
 Qed.
 
 Section Positive.
-Variables (f : wave R) (p q : R).
-Hypotheses (Hp : 0 < val f p) (Hq : 0 < val f q).
+Context (f : wave R) (p q : R) (Hp : 0 < val f p) (Hq : 0 < val f q).
 
 (** a rising one, from its start *)
 Lemma rising_positive : (forall u, p <= u <= q -> 0 <= val (slope f) u) -> forall u, p <= u <= q -> 0 < val f u.
@@ -234,11 +223,10 @@ Qed.
 Lemma concave_positive : (forall u, p <= u <= q -> val (slope (slope f)) u <= 0) -> forall u, p <= u <= q ->
   0 < val f u.
 Proof.
-  intros S u Hu. destruct (Rlt_dec 0 (val f u)); auto. exfalso.
-  assert (u <> p) by (intros ->; lra). assert (u <> q) by (intros ->; lra).
-  destruct (val_mean f p u ltac:(lra)) as (c & Hc & E). destruct (val_mean f u q ltac:(lra)) as (d & Hd & F).
-  destruct (val_mean (slope f) c d ltac:(lra)) as (e & He & G). specialize (S e ltac:(lra)).
-  assert (val (slope f) c < 0) by nra. assert (0 < val (slope f) d) by nra. nra.
+  intros S u Hu. destruct (Rlt_dec 0 (val f u)); auto. assert (u <> p) by (intros ->; lra).
+  assert (u <> q) by (intros ->; lra). destruct (val_mean f p u ltac:(lra)) as (c & Hc & E).
+  destruct (val_mean f u q ltac:(lra)) as (d & Hd & F). destruct (val_mean (slope f) c d ltac:(lra)) as (e & He & G).
+  specialize (S e ltac:(lra)). assert (val (slope f) c < 0) by nra. assert (0 < val (slope f) d) by nra. nra.
 Qed.
 End Positive.
 
@@ -270,11 +258,9 @@ Definition answers m a1 a2 y f := forall t,
     sval real f t.
 
 Section Motion.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
-Variables y1 yM push : steady R.
-Hypotheses (Hy1 : answers m1 a1 a2 y1 push) (HyM : answers M a1 a2 yM push).
+Context (y1 yM push : steady R) (Hy1 : answers m1 a1 a2 y1 push) (HyM : answers M a1 a2 yM push).
 
 (** the numbers of the pair *)
 Definition real_kit := Kit m1 m2 (m1 + m2) a1 a2 b (fade m1 a1) (a2 / m1 - fade m1 a1 * fade m1 a1)
@@ -283,10 +269,8 @@ Let K := real_kit.
 (** the free swing of the mass m *)
 Definition swings m := swing real (fade m a1) (a2 / m - fade m a1 * fade m a1).
 
-(** a swing starts at x *)
 Lemma swing_start g d c y t x v : val (swing real g d c y t x v) 0 = x.
 Proof. rewrite val_0. unfold swing; simpl. ring. Qed.
-(** with the speed v *)
 Lemma swing_speed g d c y t x v : val (slope (swing real g d c y t x v)) 0 = v.
 Proof. rewrite val_0. unfold sloped, swing; simpl. ring. Qed.
 (** and obeys the law of motion *)
@@ -294,9 +278,9 @@ Lemma swing_law m c y t x v u : 0 < m -> answers m a1 a2 y push -> m * val (slop
   = sval real push (t + u) + a2 * (c - val (swings m c y t x v) u) - a1 * val (slope (swings m c y t x v)) u.
 Proof.
   intros Hm Y. rewrite <- (Y (t + u)). unfold val, sloped, swings, swing; simpl.
-  set (d := a2 / m - fade m a1 * fade m a1) in *.
-  set (g := fade m a1) in *. assert (E2 : a2 = m * (d + g * g)) by (unfold d; field; lra).
-  assert (E1 : a1 = 2 * m * g) by (unfold g, fade; field; lra). clearbody d g. rewrite E1, E2. ring.
+  set (d := a2 / m - fade m a1 * fade m a1) in *. set (g := fade m a1) in *.
+  assert (E2 : a2 = m * (d + g * g)) by (unfold d; field; lra).
+  assert (E1 : a1 = 2 * m * g) by (unfold g, fade; field; lra). rewrite E1, E2. ring.
 Qed.
 
 Lemma val_guard k t x v1 v2 u :
@@ -306,12 +290,12 @@ Proof.
   assert (D : drift f = 0) by reflexivity. assert (C : clock f = t) by reflexivity. clearbody f.
   unfold val; cbn [still drift even odd decay square clock answer]. rewrite S, D, C.
   rewrite (scaled_ext _ (fun r => sign k * r)), sval_scaled by (intros; apply signed_real).
-  rewrite !signed_real. simpl. destruct k; simpl; field; lra.
+  destruct k; simpl; field; lra.
 Qed.
 Lemma val_grip k t x v u : val (grip real K k t x v) u = b / m2 - sign k * val (slope (slope (stuck real K t x v))) u.
 Proof.
   unfold grip, grip_of. set (f := slope (slope (stuck real K t x v))). assert (S : still f = 0) by reflexivity.
-  assert (D : drift f = 0) by reflexivity. assert (C : clock f = t) by reflexivity. clearbody f.
+  assert (D : drift f = 0) by reflexivity. assert (C : clock f = t) by reflexivity.
   unfold val; cbn [still drift even odd decay square clock answer]. rewrite S, D, C.
   rewrite (scaled_ext _ (fun r => - sign k * r)), sval_scaled by (intros; rewrite signed_real; simpl; ring).
   rewrite !signed_real. simpl. ring.
@@ -333,10 +317,9 @@ Proof.
 Qed.
 (** the starts *)
 Lemma slide_start k t x v : val (slide real K k t x v) 0 = x /\ val (slope (slide real K k t x v)) 0 = v.
-Proof. unfold slide. split; [apply swing_start|apply swing_speed]. Qed.
-(** of a stick *)
+Proof. split; [apply swing_start|apply swing_speed]. Qed.
 Lemma stuck_start t x v : val (stuck real K t x v) 0 = x /\ val (slope (stuck real K t x v)) 0 = v.
-Proof. unfold stuck. split; [apply swing_start|apply swing_speed]. Qed.
+Proof. split; [apply swing_start|apply swing_speed]. Qed.
 
 (** at a contact it is 0 *)
 Lemma guard_touch k t x v : val (guard real K k t x v v) 0 = 0.
@@ -352,7 +335,7 @@ Proof.
     unfold M. destruct k; simpl; field; lra.
   - apply (is_derive_unique_at (val (guard real K k t x v1 v2)) 0); [|apply derive_val].
     apply (is_derive_ext (fun u => sign k * (val (slope (slide real K k t x v1)) u - drive real K k v2 u))).
-    { intros u. symmetry. apply val_guard. }
+    { symmetry. apply val_guard. }
     assert (E : Derive (fun u => val (slope (slide real K k t x v1)) u) 0 =
       val (slope (slope (slide real K k t x v1))) 0) by (apply is_derive_unique, derive_val).
     unfold drive; simpl. auto_derive; [eexists; apply derive_val|]. rewrite E, signed_real.
@@ -373,8 +356,7 @@ Proof.
   intros E. assert (HM : 0 < M) by positive. pose proof (stuck_law t x v 0) as L.
   destruct (stuck_start t x v) as (E0 & E1). rewrite val_grip. rewrite E0, E1, Rplus_0_r in L.
   set (acc := val (slope (slope (stuck real K t x v))) 0) in *. assert (acc = sign k * (b / m2)) as ->.
-  - apply Rmult_eq_reg_l with M; [|lra]. rewrite L. replace (sval real push t - a2 * x - a1 * v)
-      with (- (a2 * x + a1 * v - sval real push t)) by ring. rewrite E. field. lra.
+  - nra.
   - destruct k; simpl; ring.
 Qed.
 
@@ -396,10 +378,10 @@ Proof.
       auto_derive; [repeat split; eexists; apply derive_val|]. rewrite E0, E1, A. unfold Y. field; lra. }
     apply (rderiv_mono E 0 u (fun r => - (2 * a1) * (val (slope X) r * val (slope X) r))); [|lra|].
     - eapply cont_of_derive. exact D.
-    - intros r _. split; [apply rderiv_of_derive, D|nra]. }
+    - split; [apply rderiv_of_derive, D|nra]. }
   destruct (stuck_start t x v) as (X0 & V0). unfold E, Y in D. unfold X in D. rewrite X0, V0 in D.
-  unfold spare, K, real_kit in S; cbn [add sub mul div real ka1 ka2 kM kb k2 force] in S. fold c M in S. fold X in D.
-  rewrite val_grip, A. fold (Y u) in D. set (y := Y u) in *. set (w := val (slope X) u) in *. set (l := b * M / m2) in *.
+  unfold spare, K, real_kit in S; cbn [add sub mul div real ka1 ka2 kM kb k2 force] in S. fold c M in S.
+  rewrite val_grip, A. set (y := Y u) in *. set (w := val (slope X) u) in *. set (l := b * M / m2) in *.
   assert (Hl : 0 < l) by positive. assert (Q : (y + a1 * w) * (y + a1 * w) <= l * l).
   { assert (0 <= (a1 * y - a2 * M * w) * (a1 * y - a2 * M * w) / (a2 * M)).
     { apply Rmult_le_pos; [exact (Rle_0_sqr _)|apply Rlt_le, Rinv_0_lt_compat, Rmult_lt_0_compat; auto]. }
@@ -430,10 +412,8 @@ Definition obeys lo hi (x v1 v2 : R -> R) := forall t0 T X V1 V2 g, lo <= t0 -> 
 
 Section Along.
 Variables x v1 v2 : R -> R.
-Variables first final : R.
-Hypothesis H : obeys first final x v1 v2.
-Variable t0 : R.
-Hypothesis Ht0 : first <= t0.
+Context (first final : R) (H : obeys first final x v1 v2).
+Context (t0 : R) (Ht0 : first <= t0).
 Let guard k := guard real K k t0 (x t0) (v1 t0) (v2 t0).
 Let grip k := grip real K k t0 (x t0) (v1 t0).
 Let slide k := slide real K k t0 (x t0) (v1 t0).
@@ -447,7 +427,7 @@ Proof.
   intros HT HF G.
   apply (H t0 T (val (slide k)) (val (slope (slide k))) (drive real K k (v2 t0)) (fun _ => sign k)); auto.
   - constructor.
-    + intros t. apply derive_val.
+    + apply derive_val.
     + intros t. replace ((sval real push (t0 + t) - a2 * val (slide k) t - a1 * val (slope (slide k)) t - b * sign k) / m1)
         with (val (slope (slope (slide k))) t); [apply derive_val|].
       apply Rmult_eq_reg_l with m1; [|lra]. unfold slide. rewrite slide_law. field; lra.
@@ -465,17 +445,17 @@ Theorem stick_phase T : 0 <= T -> t0 + T <= final -> v1 t0 = v2 t0 ->
   forall u, 0 <= u <= T -> x (t0 + u) = val stuck u /\ v1 (t0 + u) = val (slope stuck) u /\
   v2 (t0 + u) = val (slope stuck) u.
 Proof.
-  intros HT HF Ev G. assert (HM : 0 < M) by positive. pose proof (stuck_law t0 (x t0) (v1 t0)) as L. fold stuck in L.
-  apply (H t0 T (val stuck) (val (slope stuck)) (val (slope stuck)) (fun t => m2 / b * val (slope (slope stuck)) t)); auto.
+  intros HT HF Ev G. pose proof (stuck_law t0 (x t0) (v1 t0)) as L. fold stuck in L.
+  apply (H t0 T (val stuck) (val (slope stuck)) (val (slope stuck)) (fun t => m2 / b * val (slope (slope stuck)) t));
+    auto.
   - constructor.
-    + intros t. apply derive_val.
+    + apply derive_val.
     + intros t. replace ((sval real push (t0 + t) - a2 * val stuck t - a1 * val (slope stuck) t
         - b * (m2 / b * val (slope (slope stuck)) t)) / m1) with (val (slope (slope stuck)) t); [apply derive_val|].
       apply Rmult_eq_reg_l with m1; [|lra]. specialize (L t). unfold M in L. field_simplify; lra.
     + intros t. replace (b * (m2 / b * val (slope (slope stuck)) t) / m2) with (val (slope (slope stuck)) t)
         by (field; lra). apply derive_val.
     + intros t Ht. specialize (G t Ht). unfold grip in G. rewrite !val_grip in G. fold stuck in G. simpl in G.
-      split; [|split; intros; lra].
       assert (0 < m2 / b) by positive. assert (E : m2 / b * (b / m2) = 1) by (field; lra). nra.
   - symmetry. apply stuck_start.
   - symmetry. apply stuck_start.
@@ -498,8 +478,8 @@ Proof.
   { intros r Hr. destruct (F r Hr) as (_ & -> & ->). unfold guard. rewrite val_guard. auto. }
   split; [|split].
   - intros r Hr. rewrite D by lra. apply Q; lra.
-  - pose proof (D u ltac:(lra)) as Du. rewrite E in Du. destruct k; simpl in Du; lra.
-  - repeat (split; [apply F; lra|]). intros r Hr. apply F; auto.
+  - pose proof (D u ltac:(lra)) as Du. destruct k; simpl in Du; lra.
+  - repeat (split; [apply F; lra|]). apply F; auto.
 Qed.
 
 (** The stick to the edge towards k: friction has something left on both sides until lo, on the other one until hi, and
@@ -510,11 +490,11 @@ Theorem stick_until k lo hi : 0 < lo <= hi -> t0 + hi <= final -> v1 t0 = v2 t0 
   a2 * x (t0 + u) + a1 * v1 (t0 + u) - sval real push (t0 + u) = - (sign k * (b * M / m2)) /\
   x (t0 + u) = val stuck u /\ forall r, 0 <= r <= u -> v1 (t0 + r) = val (slope stuck) r.
 Proof.
-  intros Hl HF Ev Z P O N. assert (HM : 0 < M) by positive. destruct (wave_root _ lo hi Hl P N) as (u & Hu & E & Q).
+  intros Hl HF Ev Z P O N. destruct (wave_root _ lo hi Hl P N) as (u & Hu & E & Q).
   assert (Nn : forall r, 0 <= r < u -> 0 <= val (grip k) r).
   { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, Q; lra. }
   assert (Both : forall r, 0 <= r < u -> 0 <= val (grip true) r /\ 0 <= val (grip false) r).
-  { intros r Hr. specialize (O r ltac:(lra)). specialize (Nn r Hr). destruct k; auto. }
+  { intros r Hr. specialize (O r ltac:(lra)). destruct k; auto. }
   assert (F := stick_phase u ltac:(lra) ltac:(lra) Ev Both). exists u. split; [lra|].
   destruct (F u ltac:(lra)) as (Fx & F1 & _). split; [|split; [|split; [auto|]]].
   - intros r Hr. destruct (F r Hr) as (_ & -> & ->). auto.
@@ -522,7 +502,7 @@ Proof.
     pose proof (stuck_law t0 (x t0) (v1 t0) u) as L. fold stuck in L. set (acc := val (slope (slope stuck)) u) in *.
     replace (sign k * (b * M / m2)) with (M * (sign k * (b / m2))) by (field; lra).
     replace (sign k * (b / m2)) with (sign k * (sign k * acc)) by (f_equal; lra). destruct k; simpl; lra.
-  - intros r Hr. apply F; auto.
+  - apply F; auto.
 Qed.
 
 (** A stick under a constant force, below the level that friction holds, is for ever. *)
@@ -530,7 +510,7 @@ Theorem stick_for_ever T : 0 <= T -> t0 + T <= final -> v1 t0 = v2 t0 -> (forall
   0 <= spare real K t0 (x t0) (v1 t0) -> v1 (t0 + T) = v2 (t0 + T).
 Proof.
   intros HT HF Ev C S. destruct (stick_phase T HT HF Ev) with (u := T) as (_ & -> & ->); auto; [|lra].
-  intros u Hu. split; apply grip_held; auto; lra.
+  split; apply grip_held; auto; lra.
 Qed.
 End Along.
 End Motion.

@@ -1,7 +1,7 @@
 (** Transfers under a weak force without a damper: within half a turn no force of at most F, 3 F <= b M/m2, breaks the
     pair, and two arcs, under F and then under -F, bring it to rest at D before any other one does. Each force is tested
     with a sine that has its sign on both arcs. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Arcs LeastTimeTransfer.
+From InertialPair Require Import Dini Pair Stick Forced Arcs LeastTimeTransfer.
 
 Section Weak.
 Variables m1 m2 a2 b F : R.
@@ -75,32 +75,13 @@ Qed.
 Lemma held r t k : k = 1 \/ k = -1 -> 0 <= r <= t -> (forall q, r <= q < t -> a2 * Rabs (x q) <= 2 * F) ->
   k * (v1 r - v2 r) <= 0 -> k * (v1 t - v2 t) <= 0.
 Proof.
-  intros Hk Hr B W. assert (CW : cont (fun q => k * (v1 q - v2 q))).
-  { apply cont_scal, cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|].
-    exact (moves_cv2 m1 m2 0 a2 b Hm2 _ _ _ _ _ _ (forced_moving _ _ _ _ _ _ _ _ _ _ H)). }
-  apply le_epsilon. intros e He. rewrite Rplus_0_l. apply (barrier_until _ e r t CW Hr); [lra|]. intros q Hq Pos.
-  assert (S : rderiv s q k).
-  { destruct Hk; subst k; [apply (f_pos _ _ _ _ _ _ _ _ _ _ H)|apply (f_neg _ _ _ _ _ _ _ _ _ _ H)]; lra. }
-  set (c := m2 * v2 0 - b * s 0). set (P q := m1 * v1 q + b * s q - U q).
-  assert (Lu : dini_le (fun q => k / m1 * U q) q (F / m1)).
-  { intros g Hg. exists 1. split; [lra|]. intros h Hh. rewrite <- Rmult_minus_distr_l.
-    pose proof (LU q (q + h) ltac:(lra)) as L. replace (q + h - q) with h in L by ring. apply Rabs_inv in L.
-    assert (k / m1 * (U (q + h) - U q) <= F / m1 * h); [|nra]. unfold Rdiv. rewrite (Rmult_comm k), (Rmult_comm F), !Rmult_assoc.
-    apply Rmult_le_compat_l; [positive|]. destruct Hk; subst k; lra. }
-  assert (Dr : rderiv (fun q => k / m1 * P q - (k * b / m1 + k * b / m2) * s q - k * c / m2) q
-    (k / m1 * - (a2 * x q + 0 * v1 q) - (k * b / m1 + k * b / m2) * k - 0)).
-  { apply rderiv_minus; [apply rderiv_minus; apply rderiv_scal; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); lra|exact S]|apply rderiv_const]. }
-  assert (Eq : forall p, 0 <= p -> k * (v1 p - v2 p) = k / m1 * U p + (k / m1 * P p - (k * b / m1 + k * b / m2) * s p - k * c / m2)).
-  { intros p Hp. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H p Hp) as W2. fold c in W2.
-    unfold P. replace (v2 p) with ((b * s p + c) / m2) by (rewrite <- W2; field; lra). field. lra. }
-  specialize (B q ltac:(lra)). assert (Xk : - k * (a2 * x q) <= 2 * F).
-  { pose proof (Rle_abs (x q)). pose proof (Rle_abs (- x q)) as N. rewrite Rabs_Ropp in N. destruct Hk; subst k; nra. }
-  assert (K2 : k * k = 1) by (destruct Hk; subst k; ring).
-  assert (Neg : F / m1 + (k / m1 * - (a2 * x q + 0 * v1 q) - (k * b / m1 + k * b / m2) * k - 0) <= 0).
-  { replace (F / m1 + (k / m1 * - (a2 * x q + 0 * v1 q) - (k * b / m1 + k * b / m2) * k - 0)) with
-      ((F + - k * (a2 * x q) - k * k * (b * (m1 + m2) / m2)) / m1) by (field; lra). rewrite K2. undivide m1. lra. }
-  intros g Hg. destruct (dini_plus _ _ _ _ _ Lu Dr g Hg) as (d & Hd & D). exists d. split; auto. intros h Hh.
-  specialize (D h Hh). rewrite !Eq by lra. eapply Rle_trans; [exact D|]. apply Rmult_le_compat_r; lra.
+  intros Hk Hr B W. apply (moves_behind m1 m2 0 a2 b Hm1 Hm2 _ _ _ _ _ _ H r t k); auto. intros q Hq. exists F. split.
+  - intros g Hg. exists 1. split; [lra|]. intros h Hh. pose proof (LU q (q + h) ltac:(lra)) as L. apply Rabs_inv in L.
+    replace (q + h - q) with h in L by ring. destruct Hk; subst k; nra.
+  - specialize (B q Hq). pose proof (Rle_abs (x q)). pose proof (Rle_abs (- x q)) as N. rewrite Rabs_Ropp in N.
+    assert (- k * (a2 * x q) <= 2 * F) by (destruct Hk; subst k; nra).
+    apply Rle_trans with (m2 * (3 * F)); [apply Rmult_le_compat_l; lra|].
+    replace (b * (m1 + m2)) with (m2 * (b * (m1 + m2) / m2)) by (field; lra). apply Rmult_le_compat_l; lra.
 Qed.
 
 (** [weak-sticks] From rest at $x_1=0$ no force of at most $F$, $3F\leqslant bM/m_2$, breaks the undamped pair within

@@ -1,11 +1,9 @@
 (** Solutions after one slip: re-entries into S0 and crossings, exits on the rays, and which slips from S0 merge where
     they land. *)
-From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap TurningFunction FollowArc Cycle
-  ExitOrbit SharpRate SharpLaw SlipFromGap AlternatingAngles.
+From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap Cycle SharpRate SharpLaw SlipFromGap.
 
 Section Cross.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
 Let q := m1 / M.
 Let r := m2 / M.
@@ -13,8 +11,7 @@ Let om := omega m1 m2 a2.
 Let o1 := o1 m1 a2.
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Let sticks t := forall u, 0 <= u -> v1 (t + u) = v2 (t + u).
 
@@ -113,21 +110,6 @@ Proof.
   intros Q. apply Iff in Q. unfold E in Q. rewrite <- Ev in Q.
     apply (on_surface_inside m1 m2 a2 b Hm1 Hm2 Ha2 Hb) in Q. fold L in Q.
   assert (N : - L <= k * x t1) by (destruct Hk; subst k; lra). rewrite A in N. undivide q. nra.
-Qed.
-
-(** [first-slip] From $S_0$ above $E_{cr}$: stick, one slip, and merging there exactly if $h^2\leqslant r\,c^2$. *)
-Theorem first_slip t0 p : 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L -> 0 < p < PI ->
-  E t0 = Ecr * (1 + q * hh p ^ 2) ->
-  exists t1 t2, t0 <= t1 /\ t1 < t2 /\ (forall t, t0 <= t <= t1 -> v1 t = v2 t) /\ (forall t, t1 < t < t2 ->
-    v1 t <> v2 t) /\ v1 t2 = v2 t2 /\
-    (sticks t2 <-> hh p ^ 2 <= r * depth p ^ 2).
-Proof.
-  intros Ht Ev Hx Hp En. destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t0 (hh p) Ht Ev Hx (hh_pos p Hp) En)
-    as (k & t1 & Hk & T1 & HR & St).
-  destruct (merges_at_first_landing k t1 p Hk ltac:(lra) Hp HR) as (Sg & Ev2 & _ & _ & Iff & _).
-  assert (T0 : 0 < 2 * p / o1) by positive.
-  exists t1, (t1 + 2 * p / o1). split; [lra|]. split; [lra|]. split; [intros; apply St; auto|]. split; [|auto].
-  intros t Hu Q. specialize (Sg t Hu). rewrite Q in Sg. lra.
 Qed.
 
 (** [ray-crossing] From a ray with the exit speed of an angle whose depth is above $2/q$ the pair crosses $S$ and

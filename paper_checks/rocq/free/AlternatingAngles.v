@@ -3,9 +3,8 @@
     After a long slip that crosses, the next contact function at the mirror angle is at least P = pi (1 + k^2) - theta;
     after a short one that crosses, the next push exceeds that of the shortest long slip by at least P. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Stick Excursion ReturnMap TurningFunction ExitOrbit SlipFromGap.
+From InertialPair Require Import Dini Excursion ReturnMap SlipFromGap.
 
-(** k' = -(1 + k^2) *)
 Lemma derive_ct p : 0 < p < PI -> is_derive ct p (- (1 + ct p ^ 2)).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. unfold ct. auto_derive; [lra|]. field. lra.
@@ -49,12 +48,10 @@ Qed.
 Definition Pf p := PI * (1 + ct p ^ 2) - 2 * p.
 (** the slope of P *)
 Definition dP p := - (2 * PI * ct p * (1 + ct p ^ 2)) - 2.
-(** it is the slope *)
 Lemma derive_P p : 0 < p < PI -> is_derive Pf p (dP p).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. unfold Pf, dP, ct. auto_derive; [lra|]. field. lra.
 Qed.
-(** k = 0 at pi/2 *)
 Lemma ct_half_pi : ct (PI / 2) = 0. Proof. unfold ct. rewrite cos_PI2, sin_PI2. field. Qed.
 (** the slope increases beyond pi/2: P is convex there *)
 Lemma dP_incr u v : PI / 2 <= u -> u < v -> v < PI -> dP u < dP v.
@@ -69,7 +66,6 @@ Proof.
     pose proof (pow2_ge_0 A). nra. }
   assert (2 * PI * (A * (1 + A ^ 2)) < 2 * PI * (B * (1 + B ^ 2))) by scale. lra.
 Qed.
-(** k = -1/sqrt 3 at 2 pi/3 *)
 Lemma ct_2PI3 : ct (2 * (PI / 3)) = - / sqrt 3.
 Proof. unfold ct. rewrite cos_2PI3, sin_2PI3. pose proof (sqrt_lt_R0 3 ltac:(lra)). field. lra. Qed.
 (** P vanishes at pi/2 and at 2 pi/3 *)
@@ -118,7 +114,6 @@ Proof.
     unfold Rdiv in C. lra. }
   rewrite inv_sin2 by auto. unfold hh. rewrite sin_PI_x, C'. field. lra.
 Qed.
-(** theta - 2 h = k c *)
 Lemma two_hh p : 0 < p < PI -> 2 * p - 2 * hh p = ct p * depth p.
 Proof. intros Hp. pose proof (next_push 0 p Hp) as Q. rewrite push_0, Rplus_0_r in Q. lra. Qed.
 (** the depth increases *)
@@ -129,8 +124,7 @@ Proof.
   pose proof (hh_pos t ltac:(lra)). assert (0 < 2 * hh t * (p' - p)) by positive. lra.
 Qed.
 Section Alternate.
-Variables q pc : R.
-Hypotheses (Hq : 0 < q) (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / q).
+Context (q pc : R) (Hq : 0 < q) (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / q).
 
 (** (a) after a long slip (p >= pc) that crosses, the next contact function at theta~ is at least P *)
 Lemma long_value d p : 0 <= d -> pc <= p < PI -> Pf pc <= push (depth p + d - 2 / q) (PI - pc) - (2 * p - push d p).

@@ -1,7 +1,7 @@
 (** Long and short slips alternate, for solutions; a short slip that ends in S0 stays above E_cr if 1 - 2 h k < q
     h^2. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction FollowArc Cycle ExitOrbit
-  MergingAngles SlipFromGap AlternatingAngles AfterOneSlip.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle MergingAngles SlipFromGap
+  AlternatingAngles AfterOneSlip.
 
 (** (c), the algebra: the level is a quadratic in D; its least value is positive if 1 - 2 h k < q h^2 *)
 Lemma level_pos m1 m2 p d : 0 < m1 -> 0 < m2 -> 1 - 2 * hh p * ct p < m1 / (m1 + m2) * hh p ^ 2 -> 0 < level m1 m2 p d.
@@ -57,22 +57,4 @@ Proof.
     split; [lra|]. pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)). unfold F in Z. unfold depth.
     replace (sin z - z * cos z) with (sin z / q); [field; lra|]. apply Rmult_eq_reg_l with q; [|lra].
       replace (q * (sin z / q)) with (sin z) by (field; lra). lra.
-Qed.
-
-(** [no-first-merging] If $m_1/m_2>-\cos 2\varphi^*$, nothing on $S_0$ above $E_{cr}$ merges at the end of its first
-    slip. *)
-Theorem no_first_merging : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2 a2 b, 0 < m1 -> 0 < m2 -> 0 < a2 ->
-  0 < b ->
-  - cos (2 * ps) < m1 / m2 -> forall x v1 v2 s t0 p, solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 ->
-  - L m1 m2 a2 b <= x t0 <= L m1 m2 a2 b -> 0 < p < PI ->
-    energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) = Ecr m1 m2 a2 b * (1 + m1 / (m1 + m2) * hh p ^ 2) ->
-  exists t1 t2, t0 <= t1 /\ t1 < t2 /\ (forall t, t0 <= t <= t1 -> v1 t = v2 t) /\ (forall t, t1 < t < t2 ->
-    v1 t <> v2 t) /\ v1 t2 = v2 t2 /\
-    ~ forall u, 0 <= u -> v1 (t2 + u) = v2 (t2 + u).
-Proof.
-  destruct merging_angles as (ps & Hps & Z & Main). exists ps. split; [auto|]. split; [auto|].
-  intros m1 m2 a2 b H1 H2 Ha Hb Hr x v1 v2 s t0 p H Ht Ev Hx Hp En. destruct (Main m1 m2 H1 H2) as (None & _).
-  destruct (first_slip m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t0 p Ht Ev Hx Hp En) as (t1 & t2 & B1 & B2 & B3 & B4 &
-    B5 & B6).
-  exists t1, t2. repeat (split; [auto; fail|]). rewrite B6. apply None; auto.
 Qed.

@@ -1,7 +1,7 @@
 (** The paper's case study, m1 = m2 = 1, a1 = 0, a2 = 200, without a control: what its equations (11), (12), which have
     no stiction bracket, have in common with (3), (4) and with Coulomb's law, and what else they admit. *)
-From InertialPair Require Import Dini Pair Stick Pursuit ForcedExistence WellPosed SwitchingSurface StartFromRest
-  AlmostEverywhere Filippov Switching.
+From InertialPair Require Import Dini Pair Stick Pursuit SwitchingSurface StartFromRest AlmostEverywhere Filippov
+  Switching.
 
 (** (11), (12) at one time: a and a' are the accelerations *)
 Definition case_study b (x v1 v2 : R -> R) t := exists a a' : R, is_derive x t (v1 t) /\ is_derive v1 t a /\
@@ -9,8 +9,7 @@ Definition case_study b (x v1 v2 : R -> R) t := exists a a' : R, is_derive x t (
   a' = (1 - Rabs (sgn (v1 t - v2 t))) * a + b * sgn (v1 t - v2 t).
 
 Section CaseStudy.
-Variable b : R.
-Hypothesis Hb : 0 < b.
+Context (b : R) (Hb : 0 < b).
 Let no_force := fun _ : R => 0.
 Let law := filippov 1 1 0 200 b no_force.
 
@@ -58,7 +57,6 @@ Qed.
 (** *** A stick that is kept wherever the velocities are equal *)
 Definition kept (v1 v2 : R -> R) := forall r t, 0 <= r <= t -> v1 r = v2 r -> v1 t = v2 t.
 
-(** products of absolutely continuous functions *)
 Lemma ac_mult f g : ac f -> ac g -> ac (fun t => f t * g t).
 Proof.
   intros F G T HT e He.

@@ -5,12 +5,10 @@ From InertialPair Require Import Dini Pair Stick EnergyLimit Dichotomy Viscous E
 From InertialPair Require Import ReturnToS0 SwitchingSurface Interface.
 
 Section Free.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let w t := v1 t - v2 t.
 Let CW : cont w.
 Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 0 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
@@ -26,13 +24,12 @@ Qed.
 (** a stay below S does not end at x > L: there the relative velocity falls *)
 Lemma ends_left t t1 : 0 <= t < t1 -> w t1 = 0 -> (forall u, t <= u < t1 -> w u < 0) -> x t1 <= L.
 Proof.
-  intros Ht Z Neg. destruct (Rle_dec (x t1) L) as [|N]; auto. exfalso. apply Rnot_le_lt in N.
+  intros Ht Z Neg. destruct (Rle_dec (x t1) L) as [|N]; auto.
   destruct (s_cx _ _ _ _ _ _ _ _ _ H t1 ltac:(lra) (x t1 - L) ltac:(lra)) as (d & Hd & K).
-  set (u := Rmax t (t1 - d / 2)).
-  assert (Hu : t <= u < t1 /\ t1 - d / 2 <= u) by (unfold u; pose proof (Rmax_l t (t1 - d / 2));
-    pose proof (Rmax_r t (t1 - d / 2)); split; [split; [lra|apply Rmax_lub_lt; lra]|lra]).
+  set (u := Rmax t (t1 - d / 2)). assert (Hu : t <= u < t1 /\ t1 - d / 2 <= u) by (unfold u; pose proof (Rmax_l t (t1 -
+    d / 2)); pose proof (Rmax_r t (t1 - d / 2)); split; [split; [lra|apply Rmax_lub_lt; lra]|lra]).
   assert (F : w t1 <= w u).
-  { apply (rderiv_mono w u t1 (fun r => normal_rate m1 m2 a2 b (-1) (x r)) CW); [lra|]. intros r Hr. split.
+  { apply (rderiv_mono w u t1 (fun r => normal_rate m1 m2 a2 b (-1) (x r)) CW); [lra|]. split.
     - apply (rate_below m1 m2 a2 b Hm1 Hm2 x v1 v2 s H r); [lra|]. pose proof (Neg r ltac:(lra)) as Q.
       unfold w in Q. lra.
     - apply Rlt_le. apply (transversal_beyond m1 m2 a2 b Hm1 Hm2 Ha2 Hb (x r) (-1)); [right; auto|]. fold L.
@@ -49,7 +46,7 @@ Theorem return_alternatives m1 m2 a2 b x v1 v2 s t : 0 < m1 -> 0 < m2 -> 0 < a2 
     (- L m1 m2 a2 b <= x t1 <= L m1 m2 a2 b \/
      (x t1 < - L m1 m2 a2 b /\ exists T, 0 < T /\ forall u, t1 < u < t1 + T -> v2 u < v1 u)).
 Proof.
-  intros H1 H2 Ha Hb H Ht Hv. pose proof (L_pos m1 m2 a2 b H1 H2 Ha Hb) as L0.
+  intros H1 H2 Ha Hb H Ht Hv.
   destruct (first_contact m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t Ht ltac:(lra)) as (t1 & T1 & Z & Sg).
   assert (Neg : forall u, t <= u < t1 -> v1 u < v2 u). { intros u Hu. specialize (Sg u Hu). nra. }
   exists t1. split; [auto|]. split; [auto|]. split; [lra|]. assert (X : x t1 <= L m1 m2 a2 b).
@@ -91,28 +88,20 @@ Theorem slower_than_exponential m1 m2 a2 b x v1 v2 s : 0 < m1 -> 0 < m2 -> 0 < a
 Proof.
   intros H1 H2 Ha Hb H Up C k Hk. pose proof (sharp_law m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H Up) as Law.
   pose proof (Ecr_pos m1 m2 a2 b H1 H2 Ha Hb) as E0. set (l := Ecr m1 m2 a2 b * rate m1 m2 a2) in *.
-  assert (L0 : 0 < l). { apply Rmult_lt_0_compat; auto. unfold rate. pose proof PI_RGT_0.
-    apply Rmult_lt_0_compat; [|positive].
-      apply Rmult_lt_0_compat; [lra|positive]. }
+  assert (L0 : 0 < l). { apply Rmult_lt_0_compat; auto. pose proof PI_RGT_0. apply Rmult_lt_0_compat; [|positive].
+  apply Rmult_lt_0_compat; [lra|positive]. }
   apply is_lim_spec in Law. destruct (Law (mkposreal (l / 2) ltac:(lra))) as (M & HM). simpl in HM.
   exists (Rmax (Rmax 1 (M + 1)) (8 * Rabs C / (k ^ 2 * l))). intros t Ht.
   pose proof (Rmax_l (Rmax 1 (M + 1)) (8 * Rabs C / (k ^ 2 * l))).
-    pose proof (Rmax_r (Rmax 1 (M + 1)) (8 * Rabs C / (k ^ 2 * l))).
-  pose proof (Rmax_l 1 (M + 1)). pose proof (Rmax_r 1 (M + 1)). assert (T1 : 1 <= t) by lra.
-  specialize (HM t ltac:(lra)). apply Rabs_def2 in HM.
-    set (D := energy m1 m2 a2 (x t) (v1 t) (v2 t) - Ecr m1 m2 a2 b) in *.
-  assert (KK : 0 < k ^ 2) by positive. assert (Ex : k ^ 2 * t ^ 2 / 4 <= exp (k * t)).
+  pose proof (Rmax_r (Rmax 1 (M + 1)) (8 * Rabs C / (k ^ 2 * l))). pose proof (Rmax_l 1 (M + 1)).
+  pose proof (Rmax_r 1 (M + 1)). specialize (HM t ltac:(lra)). apply Rabs_def2 in HM.
+  set (D := energy m1 m2 a2 (x t) (v1 t) (v2 t) - Ecr m1 m2 a2 b) in *. assert (Ex : k ^ 2 * t ^ 2 / 4 <= exp (k * t)).
   { replace (k * t) with (k * t / 2 + k * t / 2) by field. rewrite exp_plus.
     assert (Kt : 0 < k * t) by positive. pose proof (exp_ineq1 (k * t / 2) ltac:(lra)).
     replace (k ^ 2 * t ^ 2 / 4) with (k * t / 2 * (k * t / 2)) by field. apply Rmult_le_compat; lra. }
-  assert (X0 : 0 < exp (k * t)) by apply exp_pos. rewrite exp_Ropp.
-  apply Rmult_le_reg_r with (exp (k * t)); auto. rewrite Rmult_assoc, Rinv_l by lra. rewrite Rmult_1_r.
-  assert (Q : 8 * Rabs C <= t * (k ^ 2 * l)).
+  assert (X0 : 0 < exp (k * t)) by apply exp_pos. rewrite exp_Ropp. apply Rmult_le_reg_r with (exp (k * t)); auto.
+  rewrite Rmult_assoc, Rinv_l by lra. assert (Q : 8 * Rabs C <= t * (k ^ 2 * l)).
   { apply Rmult_le_reg_r with (/ (k ^ 2 * l)); [positive|].
-    replace (t * (k ^ 2 * l) * / (k ^ 2 * l)) with t by (field; split; lra). unfold Rdiv in *. lra. }
-  assert (Dp : l / 2 <= t * D) by lra. pose proof (Rle_abs C).
-  assert (D1 : 0 < D). { apply Rmult_lt_reg_l with t; lra. } apply Rle_trans with (D * (k ^ 2 * t ^ 2 / 4)); [|scale].
-  replace (D * (k ^ 2 * t ^ 2 / 4)) with (t * D * (k ^ 2 * t / 4)) by field.
-  apply Rle_trans with (l / 2 * (k ^ 2 * t / 4)); [lra|]. apply Rmult_le_compat_r; [|auto].
-  apply Rmult_le_pos; [positive|]; lra.
+    replace (t * (k ^ 2 * l) * / (k ^ 2 * l)) with t by (field; split; lra). lra. }
+  assert (Dp : l / 2 <= t * D) by lra. pose proof (Rle_abs C). nra.
 Qed.

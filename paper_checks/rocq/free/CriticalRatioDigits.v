@@ -1,6 +1,6 @@
 (** Decimals of the critical mass ratio, by Interval (primitive integers of the kernel among the axioms). *)
 From Interval Require Import Tactic.
-From InertialPair Require Import Dini Stick TurningFunction.
+From InertialPair Require Import Dini TurningFunction.
 (** a bracket of phi* , from below *)
 Definition lo := 1898637871626800 / 1000000000000000.
 (** and from above *)

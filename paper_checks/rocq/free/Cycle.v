@@ -1,10 +1,9 @@
 (** One cycle: slip from an exit ray, landing inside the strip, stick along an ellipse to the opposite ray. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc.
+From InertialPair Require Import Dini Pair Stick Excursion FollowArc.
 
 Section Cycle.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
 Let q := m1 / M.
 Let r := m2 / M.
@@ -19,25 +18,17 @@ Definition ray u := b / (m2 * o1) * u.
 (** the state on the exit ray of the side k = 1 or -1 *)
 Definition on_ray k u (x v1 v2 : R -> R) t := k * x t = L /\ k * v1 t = ray u /\ k * v2 t = ray u.
 
-(** the slip frequency is positive *)
 Lemma o1_pos : 0 < o1. Proof. apply sqrt_lt_R0, Rdiv_lt_0_compat; lra. Qed.
-(** a2 by the slip frequency *)
 Lemma o1_sq : a2 = m1 * (o1 * o1). Proof. unfold o1. rewrite sqrt_sqrt; [field; lra|].
   apply Rlt_le, Rdiv_lt_0_compat; lra. Qed.
-(** the driving body's share is positive *)
 Lemma q_pos : 0 < q. Proof. unfold q, M; apply Rdiv_lt_0_compat; lra. Qed.
-(** the driven body's share is positive *)
 Lemma r_pos : 0 < r. Proof. unfold r, M; apply Rdiv_lt_0_compat; lra. Qed.
-(** both shares are 1 together *)
 Lemma qr_one : q + r = 1. Proof. unfold q, r, M; field; lra. Qed.
-(** a positive push is a positive speed *)
 Lemma ray_pos u : 0 < u -> 0 < ray u.
 Proof. intros. pose proof o1_pos. unfold ray. apply Rmult_lt_0_compat; auto. apply Rdiv_lt_0_compat; auto.
   apply Rmult_lt_0_compat; auto. Qed.
-(** a2 by the stick frequency *)
 Lemma Mom : a2 = M * (om * om).
 Proof. unfold om, M. rewrite (omega_sq m1 m2 a2) by auto. field; lra. Qed.
-(** the half width by the slip frequency *)
 Lemma L_o1 : L = b * M / (m1 * (o1 * o1) * m2).
 Proof. unfold L, Stick.L. fold M. rewrite o1_sq at 1. auto. Qed.
 
@@ -51,7 +42,6 @@ Proof.
     rewrite E. unfold ray. rewrite L_o1. rewrite o1_sq. unfold q, M. field. repeat split; lra. }
   assert (0 < M) by positive. apply Rmult_integral in Z. lra.
 Qed.
-(** and the other way round *)
 Lemma ray_level u : energy m1 m2 a2 L (ray u) (ray u) = Ecr * (1 + q * u ^ 2).
 Proof.
   unfold Ecr. rewrite Ecr_L by auto. fold L. pose proof o1_pos. unfold energy, ray. rewrite L_o1. rewrite o1_sq.
@@ -93,10 +83,8 @@ Qed.
 
 (** rho: amplitude over L at the level y = w/q *)
 Definition amp y := sqrt (1 + q * y).
-(** its square *)
 Lemma amp_sq y : 0 <= y -> amp y * amp y = 1 + q * y.
 Proof. intros. pose proof q_pos. apply sqrt_sqrt. assert (0 <= q * y) by positive. lra. Qed.
-(** it is at least 1 *)
 Lemma amp_ge y : 0 <= y -> 1 <= amp y.
 Proof. intros. pose proof q_pos. unfold amp. rewrite <- sqrt_1 at 1. apply sqrt_le_1_alt.
   assert (0 <= q * y) by positive. lra. Qed.

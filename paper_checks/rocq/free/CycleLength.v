@@ -1,6 +1,6 @@
 (** A cycle lasts no less than half a turn: in the slip the pair turns less than a stuck one by what the slip costs, and
     that is gained by the next exit, which is slower. *)
-From InertialPair Require Import Dini Stick Excursion ReturnMap ExitOrbit AlternatingAngles RateBounds.
+From InertialPair Require Import Dini Excursion ReturnMap AlternatingAngles RateBounds.
 
 (** what a cycle takes beyond pi/Omega, times Omega, by its half angle ([cycle_time_exact]) *)
 Definition delay r p := let s := (depth p / hh p) ^ 2 in let q := 1 - r in
@@ -11,8 +11,7 @@ Lemma pi_below : PI <= 10 / 3.
 Proof. pose proof (proj2 (PI_ineq 3)) as Q. unfold tg_alt, PI_tg in Q. simpl in Q. lra. Qed.
 
 Section HalfTurn.
-Variables r p : R.
-Hypotheses (Hr : 0 < r < 1) (Hp : 0 < p <= PI / 4).
+Context (r p : R) (Hr : 0 < r < 1) (Hp : 0 < p <= PI / 4).
 Let q := 1 - r.
 Let a := sqrt q.
 Let u := hh p.

@@ -2,10 +2,8 @@
 From InertialPair Require Import Dini Pair Stick TurnedFrame EnergyLimit Interface.
 
 Section Dichotomy.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Let X := X m1 m2 a2.

@@ -1,11 +1,9 @@
 (** The limit of the relative displacement; stability of the set of stuck motions; explicit time to fall. *)
-From InertialPair Require Import Dini Pair Stick PaidRates.
+From InertialPair Require Import Dini Pair PaidRates.
 
 Section Corollaries.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
-Variables x v1 v2 s z : R -> R.
-Hypothesis H : solution m1 m2 a1 a2 b x v1 v2 s.
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (x v1 v2 s z : R -> R) (H : solution m1 m2 a1 a2 b x v1 v2 s).
 Hypotheses (Cz : cont z) (Dz : forall t, 0 <= t -> rderiv z t (v1 t - v2 t)).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 

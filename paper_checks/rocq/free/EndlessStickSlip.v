@@ -1,6 +1,5 @@
 (** For all parameters there is a solution that sticks and slips in turn for ever: start on S0 slightly above E_cr. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Excursion ReturnMap FollowArc Cycle ExitOrbit SharpRate
-  SharpLaw OneOverT WellPosed.
+From InertialPair Require Import Dini Pair Stick Excursion Cycle SharpRate SharpLaw OneOverT WellPosed.
 
 (** [stick-slip-for-ever] For all $m_1,m_2,a_2,b>0$ there is a solution that sticks and slips in turn without end. *)
 Theorem stick_slip_for_ever m1 m2 a2 b : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> exists x v1 v2 s,

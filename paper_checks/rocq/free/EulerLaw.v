@@ -1,10 +1,9 @@
 (** Forward Euler with any friction in [-b, b] that has the sign of the slip: its distance from the motion grows like
     sqrt (h t), with a constant that its own steps tell. *)
-From InertialPair Require Import Dini Pair Stick Pursuit.
+From InertialPair Require Import Dini Pair.
 
 Section EulerLaw.
-Variables m1 m2 a1 a2 b h : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hh : 0 < h).
+Context (m1 m2 a1 a2 b h : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hh : 0 < h).
 
 (** the acceleration of body 1 under the friction b g *)
 Definition pull X V1 g := (- (a2 * X) - a1 * V1 - b * g) / m1.
@@ -35,8 +34,7 @@ Qed.
 
 (** one step, from the time 0 of the motion *)
 Section Step.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 a1 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 a1 a2 b x v1 v2 s).
 Variables X V1 V2 g C C' : R.
 Hypotheses (Hg : -1 <= g <= 1) (Hp : V2 < V1 -> g = 1) (Hn : V1 < V2 -> g = -1) (HC : 0 <= C) (HC' : 0 <= C').
 Let A1 := pull X V1 g.

@@ -1,5 +1,5 @@
 (** A step of forward Euler in a slip, without a damper: what it adds to the distance from a motion is of the order h^2. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Arcs Excursion EulerLaw.
+From InertialPair Require Import Dini Pair Forced Arcs Excursion EulerLaw.
 
 (** an arc of a circle against its tangent *)
 Lemma arc_tangent y : 0 <= y -> (1 - cos y) ^ 2 + (y - sin y) ^ 2 <= (y ^ 2 / 2) ^ 2.

@@ -1,7 +1,7 @@
 (** One excursion from an exit ray: h increases on (0, 2 pi), so each push has one slip angle; and the trigonometric
     inequalities in the half angle that bound its depth. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Stick.
+From InertialPair Require Import Dini.
 
 (** a smooth function, 0 at 0, with derivative >= 0 on [0, p) *)
 Lemma from_zero (f f' : R -> R) p : (forall u, is_derive f u (f' u)) -> (forall u, 0 <= u < p -> 0 <= f' u) ->
@@ -15,12 +15,9 @@ Proof.
     apply rderiv_scal, rderiv_of_derive, D.
 Qed.
 
-(** the sine is not negative on [0, pi] *)
 Lemma sin_pos u : 0 <= u <= PI -> 0 <= sin u. Proof. intros; apply sin_ge_0; lra. Qed.
 
-(** squares as products, for nsatz *)
 Lemma pow2e (z : R) : z ^ 2 = z * z. Proof. ring. Qed.
-(** cubes as products, for nsatz *)
 Lemma pow3e (z : R) : z ^ 3 = z * z * z. Proof. ring. Qed.
 Ltac circle t := let SC := fresh "SC" in assert (SC : sin t * sin t + cos t * cos t = 1) by exact (sin2_cos2 t);
   set (s := sin t) in *; set (c := cos t) in *; clearbody s c; rewrite ?pow2e, ?pow3e.
@@ -28,7 +25,6 @@ Ltac der := intros; auto_derive; [auto|ring].
 Ltac dern := let t := fresh "t" in intros t; auto_derive; [auto|]; rewrite ?cos_2a_cos, ?sin_2a; circle t; nsatz.
 Ltac zero := cbv beta; rewrite ?sin_0, ?cos_0; ring.
 
-(** sin u <= u *)
 Lemma sin_below u : 0 <= u -> sin u <= u.
 Proof.
   intros Hu. cut (0 <= u - sin u); [lra|].
@@ -42,7 +38,6 @@ Proof.
   intros. apply (from_zero (fun u => sin u - u * cos u) (fun u => u * sin u) PI); auto; [der| |zero].
   intros t Ht. apply Rmult_le_pos; [lra|apply sin_pos; lra].
 Qed.
-(** and positive inside *)
 Lemma g_pos u : 0 < u < PI -> 0 < sin u - u * cos u.
 Proof.
   intros Hu. apply Rle_lt_trans with (sin (u / 2) - u / 2 * cos (u / 2)). { apply g_nonneg; lra. }
@@ -61,7 +56,6 @@ Qed.
 
 (** *** h increases on (0, 2 pi) *)
 Definition h u := (u - sin u) / (1 - cos u).
-(** 1 - cos u > 0 *)
 Lemma one_cos u : 0 < u < 2 * PI -> 0 < 1 - cos u.
 Proof.
   intros Hu. replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin.
@@ -90,12 +84,10 @@ Proof.
     [der| |zero].
   intros; apply N_nonneg; lra.
 Qed.
-(** p >= sin p cos p *)
 Lemma A_nonneg p : 0 <= p -> 0 <= p - sin p * cos p.
 Proof.
   intros. pose proof (sin_below (2 * p) ltac:(lra)) as Q. rewrite sin_2a in Q. lra.
 Qed.
-(** strictly inside *)
 Lemma A_pos p : 0 < p < PI -> 0 < p - sin p * cos p.
 Proof.
   intros Hp. apply Rle_lt_trans with (p / 2 - sin (p / 2) * cos (p / 2)). { apply A_nonneg; lra. }

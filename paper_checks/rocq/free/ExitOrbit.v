@@ -14,7 +14,6 @@ Proof.
 Qed.
 (** the half angle by the push *)
 Definition half u := match Rlt_dec 0 u with left Hu => proj1_sig (half_ex u Hu) | right _ => 1 end.
-(** what it is *)
 Lemma half_spec u : 0 < u -> 0 < half u < PI /\ hh (half u) = u.
 Proof. intros Hu. unfold half. destruct (Rlt_dec 0 u); [|lra]. exact (proj2_sig (half_ex u r)). Qed.
 (** h = pi/2 at p = pi/2 *)
@@ -74,8 +73,7 @@ Proof.
 Qed.
 
 Section Orbit.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
 Let q := m1 / M.
 Let r := m2 / M.
@@ -120,7 +118,6 @@ Proof.
   assert (hh (next p) <= hh p). { pose proof (hh_pos _ Hn). nra. }
   pose proof (hh_le (next p) p Hn P ltac:(lra)). split; [lra|]. apply (stays_above r (next p) p); lra.
 Qed.
-(** such an angle is below pi *)
 Lemma ok_pi p : ok p -> 0 < p < PI. Proof. intros (Hp & _). pose proof PI_RGT_0. lra. Qed.
 
 (** The cycle from ray to ray, on either side: slip with k (v1 - v2) < 0, then stick inside the strip. *)
@@ -253,7 +250,6 @@ Qed.
 (** the exit times do not decrease *)
 Lemma tim_mono t0 p n : ok p -> tim t0 p n <= tim t0 p (S n).
 Proof. intros Hp. simpl. pose proof (cyc_long _ (orb_ok p n Hp)). lra. Qed.
-(** they are not before the first *)
 Lemma tim_start t0 p n : ok p -> t0 <= tim t0 p n.
 Proof. intros Hp. induction n; [simpl; lra|]. pose proof (tim_mono t0 p n Hp). lra. Qed.
 

@@ -1,7 +1,6 @@
 (** The places of exits and entries of a solution that never merges: every exit is at an end of S0, the entry after it
     tends to the same end, and the speeds at both tend to 0. *)
-From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap FollowArc Cycle ExitOrbit SharpRate
-  SharpLaw OneOverT ReturnToS0 SwitchingSurface.
+From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion OneOverT ReturnToS0 SwitchingSurface.
 
 (** a sequence whose squares tend to 0 tends to 0 *)
 Lemma from_squares u : is_lim_seq (fun n => u n ^ 2) 0 -> is_lim_seq u 0.
@@ -12,12 +11,10 @@ Proof.
 Qed.
 
 Section Ends.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Hypothesis up : forall t, 0 <= t -> Ecr < E t.
 
@@ -26,7 +23,7 @@ Lemma energy_along t : is_lim_seq t p_infty -> is_lim_seq (fun n => E (t n)) Ecr
 Proof.
   intros T. apply is_lim_seq_spec. intros e. destruct e as (e & He). simpl.
   destruct (dichotomy_energy m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) as [(T0 & HT & Lo)|(_ & Lim)].
-  { exfalso. specialize (up T0 HT). unfold E in up. fold Ecr in Lo. lra. }
+  { specialize (up T0 HT). unfold E in up. fold Ecr in Lo. lra. }
   destruct (Lim (e / 2) ltac:(lra)) as (T0 & HT & K). fold Ecr in K. apply is_lim_seq_spec in T.
   destruct (T T0) as (N & HN). exists N. intros n Hn. specialize (HN n Hn). specialize (K (t n) ltac:(lra)).
   specialize (up (t n) ltac:(lra)). unfold E in *. apply Rabs_def1; lra.
@@ -57,13 +54,9 @@ Theorem exits_near_endpoints : exists te tau : nat -> R,
   is_lim_seq (fun n => v1 (tau n)) 0 /\ is_lim_seq (fun n => v1 (te (S n))) 0.
 Proof.
   destruct (times m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H up) as (te & tau & O1 & O2 & TI & St & Off & _ & Sl).
-    fold L in St.
-  exists te, tau. do 5 (split; [assumption|]).
-  assert (Con : forall n, v1 (tau n) = v2 (tau n) /\ - L <= x (tau n) <= L) by (intros n; apply (St n);
-    pose proof (O1 n); lra).
-  assert (En : forall n, v1 (te n) = v2 (te n) /\ - L <= x (te n) <= L) by (intros n; apply (St n);
-    pose proof (O1 n); lra).
-  assert (Ex : forall n, Rabs (x (tau n)) = L).
+  exists te, tau. do 5 (split; [assumption|]). assert (Con : forall n, v1 (tau n) = v2 (tau n) /\ - L <= x (tau n) <= L)
+    by (intros n; apply (St n); pose proof (O1 n); lra). assert (En : forall n, v1 (te n) = v2 (te n) /\ - L <= x (te n)
+    <= L) by (intros n; apply (St n); pose proof (O1 n); lra). assert (Ex : forall n, Rabs (x (tau n)) = L).
   { intros n. destruct (Con n) as (Ev & Hx). apply Classical_Prop.NNPP. intros N.
     assert (Nl : x (tau n) <> L) by (intros Q; apply N; rewrite Q; apply Rabs_pos_eq; lra).
     assert (Nr : x (tau n) <> - L) by (intros Q; apply N; rewrite Q, Rabs_Ropp; apply Rabs_pos_eq; lra).
@@ -76,7 +69,7 @@ Proof.
   assert (Df : is_lim_seq (fun n => x (te (S n)) - x (tau n)) 0).
   { apply is_lim_seq_abs_0. set (V := sqrt (2 * E 0 / m1)).
     apply is_lim_seq_le_le with (fun _ => 0) (fun n => V * (te (S n) - tau n)).
-    - intros n. split; [apply Rabs_pos|]. pose proof (O1 n). pose proof (O2 n).
+    - split; [apply Rabs_pos|]. pose proof (O1 n). pose proof (O2 n).
       apply (path m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H (tau n) (te (S n)) (E 0)); [lra|].
       apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). lra.
     - apply is_lim_seq_const.
@@ -92,7 +85,7 @@ Proof.
       replace (Finite L) with (Rbar_plus L 0) by (simpl; f_equal; ring).
         apply (is_lim_seq_plus' (fun _ => L) _ L 0); [apply is_lim_seq_const|].
       apply is_lim_seq_abs_0. apply is_lim_seq_le_le with (fun _ => 0) (fun n => Rabs (x (te (S n)) - x (tau n))).
-      * intros n. split; [apply Rabs_pos|]. rewrite <- (Ex n) at 1. apply Rabs_triang_inv2.
+      * split; [apply Rabs_pos|]. rewrite <- (Ex n) at 1. apply Rabs_triang_inv2.
       * apply is_lim_seq_const.
       * apply (proj1 (is_lim_seq_abs_0 _)) in Df. exact Df.
 Qed.

@@ -1,8 +1,7 @@
 (** From an exit on slips and peaks fade: each slip is slower than the one before, at equal times after the exit, and so
     at its fastest, which is in closed form; the peaks of the velocity fall to that of the critical motion like 1/t. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap EnergyLimit Dichotomy FollowArc Cycle SlipFromGap
-  ExitOrbit AfterOneSlip SharpRate SharpLaw
-  OneOverT.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle SlipFromGap ExitOrbit AfterOneSlip SharpRate
+  SharpLaw OneOverT.
 
 (** 2 sin^2 z (h - hh z) is at most 2 (h - atan h), its value at z = atan h *)
 Lemma bulge z h : 0 <= h -> 0 < z <= PI / 2 -> 2 * sin z ^ 2 * (h - hh z) <= 2 * (h - atan h).
@@ -62,8 +61,7 @@ Proof.
 Qed.
 
 Section Fading.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let q := m1 / (m1 + m2).
 Let o1 := o1 m1 a2.
 Let om := omega m1 m2 a2.
@@ -78,8 +76,7 @@ Let E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb.
 (** the fastest slip from a ray with the push h *)
 Definition fastest h := b / (m2 * o1) * (2 * (h - atan h)).
 
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let w t := v1 t - v2 t.
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 

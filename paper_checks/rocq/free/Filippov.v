@@ -1,8 +1,7 @@
 (** What is called a motion under a force in Forced.v is what Filippov calls one: absolutely continuous functions that
     obey the differential inclusion at almost all times. The force may be any function u that is integrable (with the
     integral U) and continuous at almost all times: all that is continuous by pieces, and more. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence WellPosed Approach ModeAtContact
-  AlmostEverywhere.
+From InertialPair Require Import Dini Pair Pursuit Forced ForcedExistence Approach ModeAtContact AlmostEverywhere.
 
 (** slopes near t that come to l: a derivative *)
 Lemma derive_of_slopes (f : R -> R) t (l : R) : (forall e, 0 < e -> exists d, 0 < d /\ forall q, t - d < q < t + d ->
@@ -24,8 +23,7 @@ Proof.
   assert (S : forall p q, t - Rmin d t < p <= q -> q < t + Rmin d t ->
     (g t - e) * (q - p) <= f q - f p <= (g t + e) * (q - p)).
   { intros p q Hp Hq. pose proof (Rmin_l d t). pose proof (Rmin_r d t). apply (between f g); auto; [lra|].
-    intros u Hu. split; [apply D; lra|]. specialize (K u ltac:(lra) ltac:(apply Rabs_def1; lra)).
-    apply Rabs_def2 in K. lra. }
+    split; [apply D; lra|]. specialize (K u ltac:(lra) ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in K. lra. }
   exists (Rmin d t). split; [positive|]. intros q Hq. apply Rabs_le. destruct (Rle_dec t q).
   - rewrite (Rabs_pos_eq (q - t)) by lra. destruct (S t q); lra.
   - rewrite (Rabs_left (q - t)) by lra. destruct (S q t); lra.
@@ -36,7 +34,7 @@ Lemma ac_of_rderiv f g : cont f -> cont g -> (forall u, 0 <= u -> rderiv f u (g 
 Proof.
   intros F G D. apply ac_lip. intros T HT. destruct (cont_bounded g T G HT) as (B & HB). exists B. split.
   { pose proof (HB 0 ltac:(lra)). pose proof (Rabs_pos (g 0)). lra. }
-  intros r t Hr Hl. apply (lip_between f g); auto. intros u Hu. split; [apply D; lra|apply Rabs_inv, HB; lra].
+  intros r t Hr Hl. apply (lip_between f g); auto. split; [apply D; lra|apply Rabs_inv, HB; lra].
 Qed.
 
 (** equal around t *)
@@ -52,8 +50,7 @@ Qed.
 Definition integral_of (u U : R -> R) := ac U /\ almost (fun t => is_derive U t (u t)).
 
 Section Filippov.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** the inclusion at one time: x' = v1, m1 v1' = u - a2 x - a1 v1 - b g, m2 v2' = b g for some g in the set-valued sign *)
 Definition included (u x v1 v2 : R -> R) t := exists g, -1 <= g <= 1 /\ (v2 t < v1 t -> g = 1) /\
@@ -69,22 +66,21 @@ Theorem filippov_forced u U x v1 v2 : integral_of u U -> filippov u x v1 v2 ->
   forced m1 m2 a1 a2 b U x v1 v2 (fun t => m2 / b * v2 t).
 Proof.
   intros (AU & DU) (Ax & A1 & A2 & In). pose proof (cont_ac _ Ax) as Cx. pose proof (cont_ac _ A1) as C1.
-  pose proof (cont_ac _ A2) as C2. assert (Hk : 0 < m2 / b) by positive.
-  assert (As : ac (fun t => m2 / b * v2 t)) by (apply ac_scal; auto).
-  assert (Ds : forall t, included u x v1 v2 t -> exists g, is_derive (fun t => m2 / b * v2 t) t g /\ -1 <= g <= 1 /\
-    (v2 t < v1 t -> g = 1) /\ (v1 t < v2 t -> g = -1)).
+  pose proof (cont_ac _ A2) as C2. assert (As : ac (fun t => m2 / b * v2 t)) by (apply ac_scal; auto).
+  assert (Ds : forall t, included u x v1 v2 t -> exists g, is_derive (fun t => m2 / b * v2 t) t g /\ -1 <= g <= 1 /\ (v2
+    t < v1 t -> g = 1) /\ (v1 t < v2 t -> g = -1)).
   { intros t (g & Hg & Gp & Gn & _ & _ & D). exists g. split; auto.
     replace g with (m2 / b * (b * g / m2)) by (field; lra). apply (is_derive_scal v2 t (m2 / b) _ D). }
   assert (Local : forall t k, 0 <= t -> k = 1 \/ k = -1 -> 0 < k * (v1 t - v2 t) ->
     rderiv (fun t => m2 / b * v2 t) t k).
   { intros t k Ht Hk1 Pos. assert (Cw : cont (fun t => k * (v1 t - v2 t))) by (apply cont_scal, cont_minus; auto).
-    destruct (Cw t Ht _ Pos) as (d & Hd & K). intros e He. exists d; split; auto. intros h Hh.
+    destruct (Cw t Ht _ Pos) as (d & Hd & K). exists d; split; auto. intros h Hh.
     destruct (In (t + h) ltac:(lra)) as (N & HN & Inn).
     destruct (ac_slope (fun t => m2 / b * v2 t) N t (t + h) k k) as (L & U'); auto; [lra| |].
     - intros r Hr Nr. destruct (Ds r (Inn r ltac:(lra) Nr)) as (g & Dg & _ & Gp & Gn). exists g. split; auto.
       specialize (K r ltac:(lra)). assert (Q : Rabs (r - t) < d) by (rewrite Rabs_pos_eq; lra). specialize (K Q).
       apply Rabs_def2 in K. destruct Hk1; subst k; [rewrite Gp by lra|rewrite Gn by lra]; lra.
-    - replace (t + h - t) with h in * by ring. apply Rabs_le. split; nra. }
+    - apply Rabs_le. split; nra. }
   constructor; auto using cont_ac.
   - intros r t Hr. destruct (In t ltac:(lra)) as (N & HN & Inn).
     destruct (ac_slope (fun t => m2 / b * v2 t) N r t (-1) 1) as (L & U'); auto.
@@ -113,8 +109,7 @@ Qed.
 
 (** *** And the other way round *)
 Section Motion.
-Variables u U x v1 v2 s : R -> R.
-Hypotheses (HU : integral_of u U) (H : forced m1 m2 a1 a2 b U x v1 v2 s).
+Context (u U x v1 v2 s : R -> R) (HU : integral_of u U) (H : forced m1 m2 a1 a2 b U x v1 v2 s).
 Let w t := v1 t - v2 t.
 Let kap := (m1 + m2) / (m1 * m2).
 Let load := load m1 m2 a1 a2 u x v1.
@@ -131,9 +126,8 @@ Proof.
   assert (CP : cont P).
   { apply cont_minus; [apply cont_plus; apply cont_scal; auto; exact (moves_cs m1 m2 a1 a2 b _ _ _ _ _ _
       (forced_moving m1 m2 a1 a2 b _ _ _ _ _ H))|exact (f_cU _ _ _ _ _ _ _ _ _ _ H)]. }
-  assert (AP : ac P) by exact (ac_of_rderiv P p CP Cp (f_v1 _ _ _ _ _ _ _ _ _ _ H)).
-  assert (As : ac s). { apply ac_lip. intros T HT. exists 1. split; [lra|]. intros r t Hr _. rewrite Rmult_1_l.
-    apply (f_lip _ _ _ _ _ _ _ _ _ _ H); auto. }
+  assert (AP : ac P) by exact (ac_of_rderiv P p CP Cp (f_v1 _ _ _ _ _ _ _ _ _ _ H)). assert (As : ac s). { apply ac_lip.
+  exists 1. split; [lra|]. intros r t Hr _. rewrite Rmult_1_l. apply (f_lip _ _ _ _ _ _ _ _ _ _ H); auto. }
   assert (A2 : ac v2). { apply ac_ext with (fun t => v2 0 - b / m2 * s 0 + b / m2 * s t);
     [intros; symmetry; apply v2_by_s; auto|]. apply ac_plus; [apply ac_const|apply ac_scal; auto]. }
   assert (Eg : forall t, 0 <= t -> / m1 * (P t + U t) - (v2 0 - b / m2 * s 0) = g t).
@@ -186,13 +180,13 @@ Proof.
   { intros e He. destruct (Req_dec p q) as [->|Ne].
     { replace (s q - s q - k * (q - q)) with 0 by ring. rewrite Rabs_R0. lra. }
     set (d := Rmin (q - p) e / 2). pose proof (Rmin_l (q - p) e). pose proof (Rmin_r (q - p) e).
-    assert (0 < Rmin (q - p) e) by (apply Rmin_glb_lt; lra).
-    pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ (forced_moving m1 m2 a1 a2 b _ _ _ _ _ H) (p + d) q k
-      ltac:(unfold d; lra) Hk) as I. cbv beta in I. specialize (I ltac:(intros r Hr; apply W; unfold d in *; lra)).
-    pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H p (p + d) ltac:(unfold d; lra)) as Li. apply Rabs_inv in Li.
-    unfold d in *. apply Rabs_le. destruct Hk; subst k; lra. }
-  apply Rminus_diag_uniq. destruct (Req_dec (s q - s p - k * (q - p)) 0) as [|N]; auto. exfalso.
-  apply Rabs_pos_lt in N. specialize (B (Rabs (s q - s p - k * (q - p)) / 2) ltac:(lra)). lra.
+    assert (0 < Rmin (q - p) e) by (apply Rmin_glb_lt; lra). pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _
+      (forced_moving m1 m2 a1 a2 b _ _ _ _ _ H) (p + d) q k ltac:(unfold d; lra) Hk) as I.
+    specialize (I ltac:(intros r Hr; apply W; unfold d in *; lra)).
+    pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H p (p + d) ltac:(unfold d; lra)) as Li. apply Rabs_inv in Li. unfold d in *.
+    apply Rabs_le. destruct Hk; subst k; lra. }
+  apply Rminus_diag_uniq. destruct (Req_dec (s q - s p - k * (q - p)) 0) as [|N]; auto. apply Rabs_pos_lt in N.
+  specialize (B (Rabs (s q - s p - k * (q - p)) / 2) ltac:(lra)). lra.
 Qed.
 
 (** in a stick, with other times of it just before: the load is within b, and the relative velocity has the rate 0 *)
@@ -221,13 +215,14 @@ Proof.
   replace (Rabs (w q)) with (k * w q) by (destruct Hk; subst k; [rewrite Rabs_pos_eq|rewrite Rabs_left]; lra).
   assert (A : k * load t <= b) by (apply Rabs_inv in Bd; destruct Hk; subst k; lra).
   set (y := kap * (k * load t - b)). assert (Y : y <= 0).
-  { unfold y. rewrite <- (Rmult_0_r kap). apply Rmult_le_compat_l; lra. }
+  { rewrite <- (Rmult_0_r kap). apply Rmult_le_compat_l; lra. }
   (* since the last stick before q *)
   assert (After : forall p, w p = 0 -> z <= p <= q -> exists p', p <= p' < q /\ k * w q <= (y + e / 2) * (q - p')).
-  { intros p Wp Hp. destruct (last_nonneg (fun r => - k * w r) p q (cont_scal _ _ Cw)) as (p' & Hp' & Wp' & Neg); try nra.
-    exists p'. split; [auto|]. specialize (K p' q ltac:(lra) ltac:(lra)). rewrite Gs in K.
-    rewrite (whole_impulse k p' q Hk ltac:(lra)) in K by (intros r Hr; specialize (Neg r ltac:(lra)); lra).
-    unfold y. destruct Hk; subst k; nra. }
+  { intros p Wp Hp.
+    destruct (last_nonneg (fun r => - k * w r) p q (cont_scal _ _ Cw)) as (p' & Hp' & Wp' & Neg); try nra. exists p'.
+    specialize (K p' q ltac:(lra) ltac:(lra)). rewrite Gs in K.
+    rewrite (whole_impulse k p' q Hk ltac:(lra)) in K by (intros r Hr; specialize (Neg r ltac:(lra)); lra). unfold y.
+    destruct Hk; subst k; nra. }
   destruct (Rle_dec t q) as [Le|Gt].
   - rewrite (Rabs_pos_eq (q - t)) by lra. destruct (After t W ltac:(lra)) as (p & Hp & Q). nra.
   - rewrite (Rabs_left (q - t)) by lra. destruct (After z Wz ltac:(lra)) as (p & Hp & Q).

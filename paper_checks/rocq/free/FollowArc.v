@@ -1,10 +1,9 @@
 (** A solution runs along any smooth arc that obeys the law of friction, as under a force ([follow_arc]); and the mirror
     image of a solution is one. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Arcs.
+From InertialPair Require Import Dini Pair Forced Arcs.
 
 Section Arc.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** A smooth arc on all of R that obeys the law of friction on [0, T): g is a selection of the set-valued sign. *)
 Record arc (T : R) (X V1 V2 g : R -> R) : Prop := {

@@ -1,8 +1,7 @@
 (** Where merging at the first landing is possible (m1/m2 <= - cos (2 phi* )), kappa_c >= 1/sqrt 3: so long and short
     slips alternate there. *)
 From Interval Require Import Tactic.
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction FollowArc Cycle ExitOrbit
-  SlipFromGap AlternatingAngles AfterOneSlip AlternatingSlips ShortSlipMargin Reentry.
+From InertialPair Require Import Dini Excursion ReturnMap TurningFunction SlipFromGap AlternatingAngles.
 
 (** phi* is above 1.89 *)
 Lemma root_above ps : 0 < ps <= PI -> K ps = 0 -> 189 / 100 < ps.

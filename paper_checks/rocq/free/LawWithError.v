@@ -1,19 +1,17 @@
 (** The 1/t law with its logarithm: C/w + pi B ln w grows along the exits as the time does, up to what the bounds of one
     cycle leave: they telescope. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle ExitOrbit SharpRate RateBounds CycleLength.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle ExitOrbit SharpRate RateBounds CycleLength.
 
 (** what a cycle adds to 1/(al y) + B ln y beyond 1, al = 9/4 r, B = 1 - 2/(5 r), by its half angle *)
 Definition gain r p := let s := (depth p / hh p) ^ 2 in
   4 / 9 * (s / hh p ^ 2) / (1 - r * s) - 1 + (1 - 2 / (5 * r)) * ln (1 - r * s).
 
 Section Law.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let q := m1 / (m1 + m2).
 Let r := m2 / (m1 + m2).
 Let om := omega m1 m2 a2.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let w t := energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr m1 m2 a2 b - 1.
 
 (** [law-with-error] From a ray with $y_0\leqslant(\pi/2-1)^2$, given $g\leqslant\pi G/c^2$, $\pi G/(r\,c^2)\leqslant

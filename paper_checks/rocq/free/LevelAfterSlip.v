@@ -5,12 +5,10 @@
       where it is the level after an excursion from a ray,
     which is positive. Elsewhere its least value, h^2 - (1 - h k)^2/(k^2 + q), falls in p up to the angle with
     k^2 + 2 q = 1, and there it is again the level after an excursion from a ray. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle ExitOrbit SlipFromGap
-  AlternatingAngles AfterOneSlip.
+From InertialPair Require Import Dini Excursion ReturnMap TurningFunction ExitOrbit SlipFromGap AlternatingAngles.
 
 Section Share.
-Variable q : R.
-Hypothesis Hq : 0 < q < 1.
+Context (q : R) (Hq : 0 < q < 1).
 Let r := 1 - q.
 
 (** the level after a slip with half angle p, as a function of D, and its least value *)
@@ -18,7 +16,6 @@ Definition parabola p D := hh p ^ 2 - 2 * (1 - hh p * ct p) * D + (ct p ^ 2 + q)
 (** and its least value *)
 Definition least p := hh p ^ 2 - (1 - hh p * ct p) ^ 2 / (ct p ^ 2 + q).
 
-(** the leading coefficient is positive *)
 Lemma leading_pos p : 0 < ct p ^ 2 + q.
 Proof. pose proof (pow2_ge_0 (ct p)). lra. Qed.
 
@@ -55,7 +52,6 @@ Qed.
 
 (** the slope of the least value: all factors but (k^2 + 2 q - 1) are positive *)
 Definition slope p := depth p * (1 + ct p ^ 2) / (ct p ^ 2 + q) ^ 2 * (ct p ^ 2 + 2 * q - 1) * (q * hh p + ct p).
-(** it is the slope *)
 Lemma derive_least p : 0 < p < PI -> is_derive least p (slope p).
 Proof.
   intros Hp. pose proof (leading_pos p) as A. pose proof (half_depth p Hp) as I.

@@ -1,6 +1,6 @@
 (** The 1/t law up to tau^(-3/2): along the exits of a motion that never merges w = C/tau (1 - (pi B ln(al tau/pi) + K)/tau +
     O(tau^(-3/2))), given bounds of one cycle as in `LawWithError.v`. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle ExitOrbit SharpRate SharpLaw RateBounds
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle ExitOrbit SharpRate SharpLaw RateBounds
   CycleLength LawWithError.
 
 (** a logarithm near 1, and of a fourth power *)
@@ -88,18 +88,15 @@ Proof.
 Qed.
 
 Section Law.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let q := m1 / (m1 + m2).
 Let r := m2 / (m1 + m2).
 Let om := omega m1 m2 a2.
 Let C := 4 * PI * q / (9 * r).
 Let B := 1 - 2 / (5 * r).
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let w t := energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr m1 m2 a2 b - 1.
-Variables lo hi long : R.
-Hypotheses (Lo : lo <= 0 <= hi) (Long : 0 <= long).
+Context (lo hi long : R) (Lo : lo <= 0 <= hi) (Long : 0 <= long).
 Hypothesis Bounds : forall p, 0 < p <= PI / 4 -> let s := (depth p / hh p) ^ 2 in
   lo * depth p ^ 2 <= PI * gain r p <= hi * (r * depth p ^ 2) /\
   delay r p * (1 + sqrt (1 - r * s)) <= long * (hh p * s).

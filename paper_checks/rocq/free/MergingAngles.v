@@ -1,5 +1,5 @@
 (** The half angles with hh <= sqrt r depth: none, or one closed interval around the turning point. *)
-From InertialPair Require Import Dini Stick Excursion ReturnMap TurningFunction ExitOrbit.
+From InertialPair Require Import Dini Excursion ReturnMap TurningFunction ExitOrbit.
 
 (** h/c is above 1 for short and for long slips *)
 Lemma ratio_short : exists p, 0 < p < PI / 2 /\ 1 < ratio p.

@@ -17,8 +17,7 @@ Proof.
 Qed.
 
 Section Rounds.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let q := m1 / (m1 + m2).
 Let o1 := o1 m1 a2.
 Let L := L m1 m2 a2 b.
@@ -26,8 +25,7 @@ Let Ecr := Ecr m1 m2 a2 b.
 Let q0 : 0 < q. Proof. apply q_pos; auto. Qed.
 Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
 Let O0 : 0 < o1. Proof. apply o1_pos; auto. Qed.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Let Emono t u : 0 <= t <= u -> E u <= E t.
 Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). Qed.

@@ -1,14 +1,12 @@
 (** Who merges from S0 when it first meets S after it left S0, and who at the first re-entry of S0,
     after any number of crossings: exactly the energies of one and the same closed interval above E_cr,
     whose ends are the two roots of hh = sqrt r depth. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction FollowArc Cycle ExitOrbit
-  SharpRate MergingAngles AfterOneSlip AlternatingSlips KappaBound ReturnToS0 MergingByMassRatio MergingIff.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle ExitOrbit SharpRate
+  MergingAngles AfterOneSlip AlternatingSlips KappaBound ReturnToS0 MergingByMassRatio MergingIff.
 
 Section Roots.
-Variable ps : R.
-Hypotheses (Hps : 0 < ps < PI) (Z : K ps = 0).
+Context (ps : R) (Hps : 0 < ps < PI) (Z : K ps = 0).
 
-(** before its zero K is positive, and after it negative *)
 Lemma turning_signs : (forall u, 0 < u < ps -> 0 < K u) /\ (forall u, ps < u <= PI -> K u < 0).
 Proof.
   destruct root as (p0 & Hp0 & _ & Le & Ri). assert (p0 = ps) as ->; [|auto].
@@ -25,7 +23,7 @@ Qed.
 (** on either side of the zero of K there is one root at most *)
 Lemma one_root p p' : 0 < p -> p <= p' -> p' < PI -> p' <= ps \/ ps <= p -> ratio p = ratio p' -> p = p'.
 Proof.
-  intros H0 Le H1 Side E. destruct turning_signs as (Pos & Neg). destruct (Req_dec p p') as [|N]; auto. exfalso.
+  intros H0 Le H1 Side E. destruct turning_signs as (Pos & Neg). destruct (Req_dec p p') as [|N]; auto.
   destruct (ratio_step p p' H0 ltac:(lra) H1) as (Falls & Rises). destruct Side.
   - pose proof (Falls ltac:(intros; apply Pos; lra)). lra.
   - pose proof (Rises ltac:(intros; apply Neg; lra)). lra.
@@ -67,22 +65,21 @@ Proof.
   destruct (Main m1 m2 H1 H2) as (None & Some). set (r := m2 / (m1 + m2)) in *.
   assert (R0 : 0 < r) by positive. split.
   { intros Hr p (Hp & E). apply (None Hr p Hp). rewrite E, Rpow_mult_distr, pow2_sqrt by lra. lra. }
-  intros Hr. destruct (Some Hr) as (pl & pu & A1 & A2 & A3 & A4 & A5 & A6 & A7 & A8). clear None Some. exists pl, pu.
+  intros Hr. destruct (Some Hr) as (pl & pu & A1 & A2 & A3 & A4 & A5 & A6 & A7 & A8). exists pl, pu.
   assert (Rl : ratio pl = sqrt r) by (apply ratio_of; auto; lra).
-  assert (Ru : ratio pu = sqrt r) by (apply ratio_of; auto; lra).
-  assert (Only : forall p, root p -> p = pl \/ p = pu).
+  assert (Ru : ratio pu = sqrt r) by (apply ratio_of; auto; lra). assert (Only : forall p, root p -> p = pl \/ p = pu).
   { intros p (Hp & E). apply ratio_of in E; auto. destruct (Rle_dec p ps); [left|right].
     - destruct (Rle_dec p pl); [|symmetry]; apply (one_root ps Hps Z); lra.
     - destruct (Rle_dec p pu); [|symmetry]; apply (one_root ps Hps Z); lra. }
   split; [lra|]. split.
-  { intros p. split; [apply Only|]. intros [->| ->]; split; auto; lra. }
+  { split; [apply Only|]. intros [->| ->]; split; auto; lra. }
   split; [exact A7|]. split.
   { intros Eq. pose proof (critical_root ps Hps Z m1 m2 H1 H2 Eq) as Rs. fold r in Rs.
     transitivity ps; [|symmetry]; [|symmetry]; apply (one_root ps Hps Z); lra. }
   intros a2 b Ha Hb level. pose proof (q_pos m1 m2 H1 H2) as Q0. pose proof (Ecr_pos m1 m2 a2 b H1 H2 Ha Hb) as E0.
   set (q := m1 / (m1 + m2)) in *. set (Ec := Ecr m1 m2 a2 b) in *.
   assert (Inc : forall p p', 0 < p < PI -> 0 < p' < PI -> p < p' -> level p < level p').
-  { intros p p' Hp Hp' Lt. pose proof (hh_incr p p' ltac:(lra) Lt ltac:(lra)). pose proof (hh_pos p Hp). unfold level.
+  { intros p p' Hp Hp' Lt. pose proof (hh_incr p p' ltac:(lra) Lt ltac:(lra)). pose proof (hh_pos p Hp).
     apply Rmult_lt_compat_l; auto. apply Rplus_lt_compat_l, Rmult_lt_compat_l; auto. nra. }
   assert (Le : forall p p', 0 < p < PI -> 0 < p' < PI -> (level p <= level p' <-> p <= p')).
   { intros p p' Hp Hp'. split; intros Q.
@@ -94,7 +91,7 @@ Proof.
   split; [intros; apply Inc; lra|]. intros x v1 v2 s t0 H Ht Ev Hx En0 HE.
   assert (T0 : forall p, 0 < p -> 0 < 2 * p / o1 m1 a2) by (intros; apply Rdiv_lt_0_compat; [lra|apply o1_pos; auto]).
   assert (Q : 0 < q < 1).
-  { split; [auto|]. unfold q. undivide (m1 + m2). lra. }
+  { split; [auto|]. undivide (m1 + m2). lra. }
   destruct (pc_ex q Q) as (pc & Hpc & Dc). pose proof (kappa_large m1 m2 ps pc H1 H2 Hps Z Hr Hpc Dc) as HK.
   assert (Iff' : forall k te p t, k = 1 \/ k = -1 -> 0 <= te -> 0 < p < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 te ->
     first_reentry (L m1 m2 a2 b) x v1 v2 te t ->
@@ -119,9 +116,8 @@ Proof.
     [|split; [auto|split]].
   - intros t' Ht' E. specialize (Sg t' Ht'). rewrite E in Sg. lra.
   - exact F.
-  - rewrite <- Between. split; [exact Iff|]. split; [exact Iff'|]. intros Out Q'. apply Iff' in Q'. apply Out.
-    specialize (Dp Q'). pose proof (L_pos m1 m2 a2 b H1 H2 Ha Hb) as L0. pose proof (depth_pos p Hp).
-    assert (0 < q * depth p <= 2).
+  - rewrite <- Between. split; [exact Iff|]. split; [exact Iff'|]. intros Out Q'. apply Iff' in Q'.
+    pose proof (depth_pos p Hp). assert (0 < q * depth p <= 2).
     { split; [apply Rmult_lt_0_compat; auto|]. replace 2 with (q * (2 / q)) by (field; lra).
       apply Rmult_le_compat_l; [lra|auto]. }
     assert (- L m1 m2 a2 b <= k * x (te + 2 * p / o1 m1 a2) <= L m1 m2 a2 b).

@@ -1,16 +1,12 @@
 (** The first re-entry after an exit, after any number of crossings, merges exactly if the half angle of the exit is
     in one interval: if it is the first landing by the return map, and after a crossing it is above E_cr. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction FollowArc Cycle ExitOrbit
-  SharpRate MergingAngles SlipFromGap AlternatingAngles AfterOneSlip AlternatingSlips ShortSlipMargin Reentry
-  KappaBound ReturnToS0.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle SlipFromGap AlternatingAngles AfterOneSlip
+  AlternatingSlips Reentry ReturnToS0.
 
 Section Equivalence.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Variable pc : R.
-Hypotheses (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / (m1 / (m1 + m2))) (HK : / sqrt 3 <= - ct pc).
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (pc : R) (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / (m1 / (m1 + m2))) (HK : / sqrt 3 <= - ct pc).
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 
 (** after a crossing the pair is beyond S0 *)
 Lemma crossed_out t p : crossed m1 m2 a2 b pc x v1 v2 t p -> ~ (- L m1 m2 a2 b <= x t <= L m1 m2 a2 b).

@@ -1,11 +1,11 @@
 (** On S0 the energy alone decides who ever merges: all starts of one energy above E_cr come to the same exit ray, or to
     its mirror image. *)
 From Coq Require Import Classical.
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle CycleLength SharpRate SharpLaw AfterOneSlip WellPosed.
+From InertialPair Require Import Dini Pair Stick Excursion FollowArc Cycle CycleLength SharpRate SharpLaw AfterOneSlip
+  WellPosed.
 
 Section OneEnergy.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let q := m1 / (m1 + m2).
 Let Ecr := Ecr m1 m2 a2 b.
 

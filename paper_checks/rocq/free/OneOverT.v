@@ -1,10 +1,8 @@
 (** The last sentences of Section III, as theorems: the times of exit and entry, and c1/t <= E - E_cr <= c2/t. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap EnergyLimit Dichotomy FollowArc Cycle SlipFromGap
-  ExitOrbit SharpRate SharpLaw.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle ExitOrbit SharpRate SharpLaw.
 
 Section Paper.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let om := omega m1 m2 a2.
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
@@ -13,8 +11,7 @@ Let q := m1 / (m1 + m2).
 Let q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2.
 Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
 Let E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 
 (** every solution that never merges comes to an exit ray at a small level *)
 Theorem reaches_ray : (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->

@@ -1,7 +1,7 @@
 (** From an exit with y0 = w0/q <= 4/9 on, w = E/E_cr - 1 lies between two explicit functions of time: 1/y gains between
     a and A in every cycle, and a cycle lasts between T- and T+, all four from the first excursion. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction FollowArc Cycle SlipFromGap ExitOrbit
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle SlipFromGap ExitOrbit
   SharpRate AlternatingAngles.
 
 (** *** Two functions of the half angle: c/h^2 falls, 2 p - h grows *)
@@ -61,8 +61,7 @@ Proof.
 Qed.
 
 Section Bounds.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let q := m1 / (m1 + m2).
 Let r := m2 / (m1 + m2).
 Let om := omega m1 m2 a2.
@@ -134,8 +133,7 @@ Proof.
     assert (0 <= sqrt q * (2 * p - hh p) / amp m1 m2 (hh (next m1 m2 p) ^ 2)) by positive. lra.
 Qed.
 
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let w t := energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr m1 m2 a2 b - 1.
 
 (** *** The bounds: all later cycles are bounded by the first *)

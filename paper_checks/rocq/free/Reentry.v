@@ -1,7 +1,7 @@
 (** After a crossing: every short slip that ends in S0 stays above E_cr; so does the first re-entry after any number
     of crossings. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction FollowArc Cycle ExitOrbit
-  SlipFromGap AlternatingAngles AfterOneSlip AlternatingSlips ShortSlipMargin.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle SlipFromGap AlternatingAngles AfterOneSlip
+  AlternatingSlips ShortSlipMargin.
 
 (** p <= pi - pc gives q >= 1/(1 + (pi - p) k), so the margin holds *)
 Lemma short_margin q pc p : 0 < q -> PI / 2 < pc < PI -> depth pc = 2 / q -> 0 < p <= PI - pc ->
@@ -36,13 +36,10 @@ Definition crossed m1 m2 a2 b pc (x v1 v2 : R -> R) t p := exists k d, (k = 1 \/
   at_gap m1 m2 a2 b k d (push d p) x v1 v2 t.
 
 Section Reentry.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let q := m1 / (m1 + m2).
-Variable pc : R.
-Hypotheses (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / q) (HK : / sqrt 3 <= - ct pc).
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (pc : R) (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / q) (HK : / sqrt 3 <= - ct pc).
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let Q0 : 0 < q. Proof. apply q_pos; auto. Qed.
 
 (** from a ray with p > pc it crosses, and the next slip is short *)

@@ -1,23 +1,19 @@
 (** Orbits of the return map y' = h^2 - r c^2: y_n -> 0 and n y_n -> 4/(9 r). *)
-From InertialPair Require Import Dini Stick Excursion.
+From InertialPair Require Import Dini Excursion.
 
 (** h in the half angle *)
 Definition hh p := (p - sin p * cos p) / sin p ^ 2.          (* h in the half angle *)
 Definition depth p := 2 * (sin p - p * cos p) / sin p.       (* c = 2 - theta cot(theta/2) *)
 
-(** it is h *)
 Lemma hh_h p : 0 < p < PI -> hh p = h (2 * p).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). unfold hh, h. rewrite cos_2a_sin, sin_2a. field.
-  split; [|lra]. assert (0 < sin p * sin p) by nra. lra.
+  assert (0 < sin p * sin p) by nra. lra.
 Qed.
-(** it increases *)
 Lemma hh_incr p q : 0 < p -> p < q -> q < PI -> hh p < hh q.
 Proof. intros. rewrite !hh_h by lra. apply h_increases; lra. Qed.
-(** it is positive *)
 Lemma hh_pos p : 0 < p < PI -> 0 < hh p.
 Proof. intros Hp. apply Rdiv_lt_0_compat; [apply A_pos; auto|]. apply pow_lt, sin_gt_0; lra. Qed.
-(** the depth is positive *)
 Lemma depth_pos p : 0 < p < PI -> 0 < depth p.
 Proof. intros Hp. apply Rdiv_lt_0_compat; [pose proof (g_pos p Hp); lra|apply sin_gt_0; lra]. Qed.
 
@@ -25,7 +21,7 @@ Proof. intros Hp. apply Rdiv_lt_0_compat; [pose proof (g_pos p Hp); lra|apply si
 Lemma hh_below p : 0 < p < PI -> 2 / 3 * p <= hh p.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (cusa (2 * p) ltac:(lra)) as C.
-  rewrite sin_2a, cos_2a_sin in C. unfold hh. undivide (sin p ^ 2). nra.
+  rewrite sin_2a, cos_2a_sin in C. undivide (sin p ^ 2). nra.
 Qed.
 
 (** [depth-upper] The depth of an excursion is at most $\tfrac{3}{2}h^2$. *)
@@ -44,13 +40,12 @@ Theorem depth_lower p : 0 < p < PI -> 3 / 2 * (sin p / p) ^ 6 * hh p ^ 2 <= dept
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_above_cube p ltac:(lra)) as G.
   pose proof (A_above p ltac:(lra)) as A. pose proof (A_pos p Hp) as Ap. assert (D : 2 / 3 * sin p ^ 2 <= depth p).
-  { unfold depth. undivide (sin p). replace (2 / 3 * sin p ^ 2 * sin p) with (2 / 3 * sin p ^ 3) by ring. lra. }
-  apply Rle_trans with (2 := D).
-  assert (P2 : (p - sin p * cos p) ^ 2 <= (2 / 3 * p ^ 3) ^ 2) by (apply pow_incr; lra).
-  unfold hh. replace (3 / 2 * (sin p / p) ^ 6 * ((p - sin p * cos p) / sin p ^ 2) ^ 2) with
-    (3 / 2 * (sin p ^ 2 / p ^ 6) * (p - sin p * cos p) ^ 2) by (field; lra).
+  { undivide (sin p). lra. }
+  apply Rle_trans with (2 := D). assert (P2 : (p - sin p * cos p) ^ 2 <= (2 / 3 * p ^ 3) ^ 2) by (apply pow_incr; lra).
+  unfold hh. replace (3 / 2 * (sin p / p) ^ 6 * ((p - sin p * cos p) / sin p ^ 2) ^ 2) with (3 / 2 * (sin p ^ 2 / p ^ 6)
+    * (p - sin p * cos p) ^ 2) by (field; lra).
   replace (2 / 3 * sin p ^ 2) with (3 / 2 * (sin p ^ 2 / p ^ 6) * (2 / 3 * p ^ 3) ^ 2) by (field; lra).
-  apply Rmult_le_compat_l; auto. apply Rmult_le_pos; [lra|]. positive.
+  apply Rmult_le_compat_l; auto. positive.
 Qed.
 
 (** sin p/p decreases strictly *)
@@ -66,7 +61,6 @@ Lemma sinc_decr p q : 0 < p -> p <= q -> q < PI -> sin q / q <= sin p / p.
 Proof.
   intros Hp Hpq Hq. destruct (Req_dec p q) as [->|N]; [lra|]. apply Rlt_le, sinc_strict; lra.
 Qed.
-(** and is positive *)
 Lemma sinc_pos p : 0 < p < PI -> 0 < sin p / p.
 Proof. intros. apply Rdiv_lt_0_compat; [apply sin_gt_0|]; lra. Qed.
 
@@ -81,16 +75,13 @@ Proof.
 Qed.
 
 Section Orbit.
-Variable r : R.
-Hypothesis Hr : 0 < r.
-Variable phi : nat -> R.
-Hypothesis Hphi : forall n, 0 < phi n < PI.
+Context (r : R) (Hr : 0 < r).
+Context (phi : nat -> R) (Hphi : forall n, 0 < phi n < PI).
 Let y n := hh (phi n) ^ 2.
 Hypothesis step : forall n, y (S n) = y n - r * depth (phi n) ^ 2.
 Let kappa := 9 / 4 * r.
 Let si n := sin (phi n) / phi n.
 
-(** the level is positive *)
 Lemma y_pos n : 0 < y n. Proof. apply pow_lt, hh_pos; auto. Qed.
 (** each excursion loses at most kappa y^2 *)
 Lemma loss_upper n : y n - y (S n) <= kappa * y n ^ 2.
@@ -98,12 +89,10 @@ Proof.
   rewrite step. pose proof (depth_upper _ (Hphi n)) as D. pose proof (depth_pos _ (Hphi n)). fold (y n) in D.
   assert (depth (phi n) ^ 2 <= (3 / 2 * y n) ^ 2) by (apply pow_incr; lra). unfold kappa. nra.
 Qed.
-(** and at least kappa (sin phi/phi)^12 y^2 *)
 Lemma loss_lower n : kappa * si n ^ 12 * y n ^ 2 <= y n - y (S n).
 Proof.
   rewrite step. pose proof (depth_lower _ (Hphi n)) as D. fold (y n) (si n) in D. pose proof (y_pos n).
-  pose proof (pow_lt _ 6 (sinc_pos _ (Hphi n))) as S6. fold (si n) in S6.
-  assert (0 < 3 / 2 * si n ^ 6 * y n) by positive.
+  pose proof (pow_lt _ 6 (sinc_pos _ (Hphi n))) as S6. assert (0 < 3 / 2 * si n ^ 6 * y n) by positive.
   assert (Q : (3 / 2 * si n ^ 6 * y n) ^ 2 <= depth (phi n) ^ 2) by (apply pow_incr; lra).
   replace (kappa * si n ^ 12 * y n ^ 2) with (r * (3 / 2 * si n ^ 6 * y n) ^ 2) by (unfold kappa; field).
   assert (r * (3 / 2 * si n ^ 6 * y n) ^ 2 <= r * depth (phi n) ^ 2) by scale. lra.
@@ -111,17 +100,14 @@ Qed.
 (** the level falls *)
 Theorem y_falls n : y (S n) < y n.
 Proof. rewrite step. pose proof (pow_lt _ 2 (depth_pos _ (Hphi n))). nra. Qed.
-(** so does the half angle *)
 Lemma phi_falls n : phi (S n) <= phi n.
 Proof.
-  destruct (Rle_dec (phi (S n)) (phi n)) as [|N]; auto. exfalso. pose proof (y_falls n) as Y.
-  pose proof (Hphi n). pose proof (Hphi (S n)).
-  assert (hh (phi n) < hh (phi (S n))) by (apply hh_incr; lra). pose proof (hh_pos _ (Hphi n)). unfold y in Y. nra.
+  destruct (Rle_dec (phi (S n)) (phi n)) as [|N]; auto. pose proof (y_falls n) as Y. pose proof (Hphi n).
+  pose proof (Hphi (S n)). assert (hh (phi n) < hh (phi (S n))) by (apply hh_incr; lra). pose proof (hh_pos _ (Hphi n)).
+  unfold y in Y. nra.
 Qed.
-(** it stays below the first one *)
 Lemma phi_0 n : phi n <= phi 0%nat.
 Proof. induction n; [lra|]. pose proof (phi_falls n); lra. Qed.
-(** and its sinc above the first one *)
 Lemma si_0 n : si 0%nat <= si n.
 Proof. pose proof (Hphi n). pose proof (Hphi 0%nat). apply sinc_decr; try lra. apply phi_0. Qed.
 
@@ -129,22 +115,16 @@ Let d n := / y (S n) - / y n.
 (** 1/y gains at least this *)
 Lemma d_lower n : kappa * si n ^ 12 <= d n.
 Proof.
-  pose proof (y_pos n) as Y. pose proof (y_pos (S n)) as Y'. pose proof (loss_lower n) as Q. pose proof (y_falls n).
-  unfold d. replace (/ y (S n) - / y n) with ((y n - y (S n)) / (y n * y (S n))) by (field; lra).
-  pose proof (pow_lt _ 12 (sinc_pos _ (Hphi n))) as Sp. fold (si n) in Sp.
-    assert (0 < kappa * si n ^ 12) by (apply Rmult_lt_0_compat; [unfold kappa; lra|auto]).
+  pose proof (y_pos (S n)) as Y'. pose proof (loss_lower n) as Q. pose proof (y_falls n). unfold d.
+  replace (/ y (S n) - / y n) with ((y n - y (S n)) / (y n * y (S n))) by (field; lra).
   apply Rmult_le_reg_r with (y n * y (S n)). { positive. }
-  replace ((y n - y (S n)) / (y n * y (S n)) * (y n * y (S n))) with (y n - y (S n)) by (field; lra).
-  apply Rle_trans with (2 := Q). rewrite Rmult_assoc, Rmult_assoc. apply Rmult_le_compat_l; [unfold kappa; lra|].
-    apply Rmult_le_compat_l; [lra|]. nra.
+  replace ((y n - y (S n)) / (y n * y (S n)) * (y n * y (S n))) with (y n - y (S n)) by (field; lra). nra.
 Qed.
-(** and at most this *)
 Lemma d_upper n : kappa * y n < 1 -> d n <= kappa / (1 - kappa * y n).
 Proof.
-  intros K. pose proof (y_pos n) as Y. pose proof (y_pos (S n)) as Y'. pose proof (loss_upper n) as Q.
-  unfold d. replace (/ y (S n) - / y n) with ((y n - y (S n)) / (y n * y (S n))) by (field; lra).
-  assert (P1 : 0 < y n * (1 - kappa * y n)) by positive.
-  assert (P2 : y n * (1 - kappa * y n) <= y (S n)) by nra. assert (0 < kappa) by (unfold kappa; lra).
+  intros K. pose proof (y_pos n) as Y. pose proof (y_pos (S n)) as Y'. pose proof (loss_upper n) as Q. unfold d.
+  replace (/ y (S n) - / y n) with ((y n - y (S n)) / (y n * y (S n))) by (field; lra).
+  assert (P1 : 0 < y n * (1 - kappa * y n)) by positive. assert (P2 : y n * (1 - kappa * y n) <= y (S n)) by nra.
   apply Rle_trans with (kappa * y n ^ 2 / (y n * y (S n))).
   { apply Rmult_le_compat_r; auto. positive. }
   replace (kappa * y n ^ 2 / (y n * y (S n))) with (kappa * y n * / y (S n)) by (field; lra).
@@ -172,15 +152,14 @@ Proof.
     - apply is_lim_seq_mult with p_infty al; [apply is_lim_seq_INR|apply is_lim_seq_const|].
       apply is_Rbar_mult_p_infty_pos. exact Hal. }
   apply is_lim_seq_ext with (fun n => / / y n). { intros n. apply Rinv_involutive. pose proof (y_pos n); lra. }
-  assert (Q := is_lim_seq_inv _ _ L). simpl in Q. apply Q. discriminate.
+  assert (Q := is_lim_seq_inv _ _ L). apply Q. discriminate.
 Qed.
 
-(** so does the half angle *)
 Lemma phi_to_zero : is_lim_seq phi 0.
 Proof.
   apply is_lim_seq_le_le with (fun _ => 0) (fun n => 3 / 2 * sqrt (y n)).
-  - intros n. pose proof (Hphi n). split; [lra|]. unfold y.
-    rewrite <- Rsqr_pow2, sqrt_Rsqr by (apply Rlt_le, hh_pos; auto). pose proof (hh_below _ (Hphi n)). lra.
+  - intros n. pose proof (Hphi n). unfold y. rewrite <- Rsqr_pow2, sqrt_Rsqr by (apply Rlt_le, hh_pos; auto).
+    pose proof (hh_below _ (Hphi n)). lra.
   - apply is_lim_seq_const.
   - replace (Finite 0) with (Rbar_mult (3 / 2) (sqrt 0)) by (simpl; rewrite sqrt_0; f_equal; ring).
     apply is_lim_seq_scal_l. apply is_lim_seq_continuous; [|apply y_to_zero]. apply continuity_pt_sqrt; lra.
@@ -204,13 +183,11 @@ Proof.
     apply is_lim_seq_div'; [apply is_lim_seq_const| |lra]. apply is_lim_seq_minus'; [apply is_lim_seq_const|].
       apply is_lim_seq_mult'; [apply is_lim_seq_const|apply y_to_zero]. }
   assert (Ev : eventually (fun n => kappa * y n < 1)).
-  { assert (Z : is_lim_seq (fun n => kappa * y n) (kappa * 0)) by (apply is_lim_seq_mult';
-    [apply is_lim_seq_const|apply y_to_zero]).
-    rewrite Rmult_0_r in Z. apply is_lim_seq_spec in Z. destruct (Z (mkposreal 1 Rlt_0_1)) as (n0 & K). exists n0.
-      intros n Hn.
+  { assert (Z : is_lim_seq (fun n => kappa * y n) (kappa * 0)) by (apply is_lim_seq_mult'; [apply is_lim_seq_const|apply
+      y_to_zero]). apply is_lim_seq_spec in Z. destruct (Z (mkposreal 1 Rlt_0_1)) as (n0 & K). exists n0. intros n Hn.
     specialize (K n Hn). simpl in K. apply Rabs_def2 in K. lra. }
   apply is_lim_seq_le_le_loc with (fun n => kappa * si n ^ 12) (fun n => kappa / (1 - kappa * y n)); auto.
-  destruct Ev as (n0 & K). exists n0. intros n Hn. split; [apply d_lower|apply d_upper; auto].
+  destruct Ev as (n0 & K). exists n0. split; [apply d_lower|apply d_upper; auto].
 Qed.
 
 (** the gains add up to 1/y *)
@@ -224,7 +201,7 @@ Proof.
   { apply is_lim_seq_Reals. apply Cesaro_1. apply is_lim_seq_Reals. apply d_limit. }
   assert (Z : is_lim_seq (fun n => / y 0%nat * / INR n) 0).
   { replace (Finite 0) with (Rbar_mult (/ y 0%nat) 0) by (simpl; f_equal; ring). apply is_lim_seq_scal_l.
-    assert (Q := is_lim_seq_inv _ _ is_lim_seq_INR). simpl in Q. apply Q. discriminate. }
+    assert (Q := is_lim_seq_inv _ _ is_lim_seq_INR). apply Q. discriminate. }
   assert (L : is_lim_seq (fun n => / (INR n * y n)) kappa).
   { replace (Finite kappa) with (Finite (kappa + 0)) by (f_equal; ring).
     apply is_lim_seq_ext_loc with (fun n => sum_f_R0 d (pred n) / INR n + / y 0%nat * / INR n);
@@ -236,6 +213,6 @@ Proof.
   apply is_lim_seq_ext_loc with (fun n => / / (INR n * y n)).
   - exists 1%nat. intros n Hn. apply Rinv_involutive. pose proof (y_pos n).
     assert (0 < INR n) by (apply lt_0_INR; auto). apply Rgt_not_eq. apply Rmult_lt_0_compat; auto.
-  - assert (Q := is_lim_seq_inv _ _ L). simpl in Q. apply Q. intros E. injection E. unfold kappa. lra.
+  - assert (Q := is_lim_seq_inv _ _ L). apply Q. intros E. injection E. unfold kappa. lra.
 Qed.
 End Orbit.

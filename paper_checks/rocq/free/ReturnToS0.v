@@ -2,8 +2,8 @@
 
     Each slip that crosses S0 moves body 1 by more than 2 L, so it lasts some time, so its depth is not small,
       so it costs a fixed amount of energy. *)
-From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap FollowArc Cycle SlipFromGap ExitOrbit
-  SharpRate AlternatingAngles.
+From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap Cycle SlipFromGap ExitOrbit SharpRate
+  AlternatingAngles.
 
 (** t1 is the next contact after t0; t is the first contact in [-l, l] after t0, all earlier ones being crossings *)
 Definition contact_after (v1 v2 : R -> R) t0 t1 := t0 < t1 /\ (forall t, t0 < t < t1 -> v1 t <> v2 t) /\ v1 t1 = v2 t1.
@@ -26,8 +26,7 @@ Proof.
 Qed.
 
 Section Return.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let q := m1 / (m1 + m2).
 Let r := m2 / (m1 + m2).
 Let o1 := o1 m1 a2.
@@ -38,8 +37,7 @@ Let r0 : 0 < r. Proof. apply r_pos; auto. Qed.
 Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
 Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
 Let O0 : 0 < o1. Proof. apply o1_pos; auto. Qed.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Let Emono t u : 0 <= t <= u -> E u <= E t.
 Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). Qed.
@@ -84,7 +82,6 @@ Qed.
 
 (** so a slip that crosses has a half angle of at least this *)
 Definition least_angle e := Rmin 1 (o1 * L / sqrt (2 * e / m1)).
-(** it is an angle *)
 Lemma least_angle_in e : 0 < e -> 0 < least_angle e < PI.
 Proof.
   intros He. pose proof PI2_1. assert (V0 : 0 < sqrt (2 * e / m1)) by positive.
@@ -115,7 +112,6 @@ Qed.
 
 (** and it costs at least this *)
 Definition least_cost e := Ecr * (q * r) * depth (least_angle e) ^ 2.
-(** it is positive *)
 Lemma least_cost_pos e : 0 < e -> 0 < least_cost e.
 Proof.
   intros He. apply Rmult_lt_0_compat; [|apply pow_lt, depth_pos, least_angle_in; auto].

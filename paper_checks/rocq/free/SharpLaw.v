@@ -14,8 +14,7 @@ Proof.
 Qed.
 
 Section Law.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
 Let q := m1 / M.
 Let r := m2 / M.
@@ -77,8 +76,7 @@ Proof.
     replace (t + (t' - t)) with t' in I1 by ring. exact I1.
 Qed.
 Section Ray.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := en (x t) (v1 t) (v2 t).
 (** [arc-to-ray] On $S_0$ above $E_{cr}$ every solution sticks until it reaches one of the two exit rays. *)
 Lemma to_ray t u : 0 <= t -> v1 t = v2 t -> - L <= x t <= L -> 0 < u -> E t = Ecr * (1 + q * u ^ 2) ->
@@ -245,23 +243,5 @@ Proof.
   intros H Up. destruct (strip x v1 v2 s H Up (Ecr * (4 / 9 * q))) as (t & Ht & Ev & Hx & HE).
   { apply Rmult_lt_0_compat; auto. lra. }
   apply (no_merging_from_S0 x v1 v2 s t); auto. apply small_simple. lra.
-Qed.
-
-(** *** Section III, complete: a solution merges in finite time with an ellipse up to the critical one,
-    or it tends to one motion on the critical ellipse and t (E - E_cr) tends to E_cr (4 pi/9) (m1/m2) sqrt (M/a2). *)
-
-(** [trichotomy] Every solution merges in finite time, or tends to one critical motion and obeys the sharp law. *)
-Theorem trichotomy x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s ->
-  (exists t0 x0 v0, 0 <= t0 /\ en x0 v0 v0 <= Ecr /\
-     forall u, 0 <= u -> x (t0 + u) = X m1 m2 a2 x0 v0 u /\ v1 (t0 + u) = V m1 m2 a2 x0 v0 u /\
-       v2 (t0 + u) = V m1 m2 a2 x0 v0 u) \/
-  (exists x0 v0, en x0 v0 v0 = Ecr /\ (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) /\
-     (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
-       en (x t - X m1 m2 a2 x0 v0 t) (v1 t - V m1 m2 a2 x0 v0 t) (v2 t - V m1 m2 a2 x0 v0 t) <= e) /\
-     is_lim (fun t => t * (en (x t) (v1 t) (v2 t) - Ecr)) p_infty (Ecr * rate m1 m2 a2)).
-Proof.
-  intros H. destruct (dichotomy m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) as [Me|(x0 & v0 & He & Up & K)]; [left;
-    exact Me|right].
-  exists x0, v0. split; [exact He|]. split; [exact Up|]. split; [exact K|]. apply (sharp_law x v1 v2 s H Up).
 Qed.
 End Law.

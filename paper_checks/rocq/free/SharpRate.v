@@ -1,5 +1,5 @@
 (** From one exit on: E > E_cr for ever, the exits obey the return map, and t (E - E_cr) tends to the sharp constant. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle ExitOrbit.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle ExitOrbit.
 
 (** the inverse of a root *)
 Lemma root_inv M a : 0 < M -> 0 < a -> / sqrt (a / M) = sqrt (M / a).
@@ -11,10 +11,8 @@ Proof.
 Qed.
 
 Section Sharp.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let M := m1 + m2.
 Let q := m1 / M.
 Let r := m2 / M.
@@ -27,10 +25,8 @@ Definition rate := 4 * PI / 9 * (m1 / m2) * sqrt ((m1 + m2) / a2).
 Let q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2.
 Let r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2.
 Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
-(** E_cr is positive *)
 Lemma Ecr_pos : 0 < Ecr.
 Proof. unfold Ecr. rewrite Ecr_L by auto. pose proof (pow_lt _ 2 (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)). nra. Qed.
-(** the energy never increases *)
 Lemma E_falls u t : 0 <= u <= t -> E t <= E u.
 Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H u t). Qed.
 
@@ -44,7 +40,6 @@ Let cy n := cyc m1 m2 a2 (ph n).
 
 (** every half angle of the orbit is one of short excursions above E_cr *)
 Lemma ph_ok n : ok m1 m2 (ph n). Proof. apply orb_ok; auto. Qed.
-(** below pi *)
 Lemma ph_pi n : 0 < ph n < PI. Proof. exact (ok_pi m1 m2 _ (ph_ok n)). Qed.
 (** the return map *)
 Lemma y_step n : y (S n) = y n - r * depth (ph n) ^ 2.
@@ -53,12 +48,10 @@ Proof. exact (proj2 (next_ok m1 m2 Hm1 Hm2 (ph n) (ph_ok n))). Qed.
 Lemma tm_S n : tm (S n) = tm n + cy n. Proof. reflexivity. Qed.
 (** the exit times do not decrease *)
 Lemma tm_up n : tm n <= tm (S n). Proof. apply tim_mono; auto. Qed.
-(** they are not before the first *)
 Lemma tm_from n : t0 <= tm n. Proof. apply tim_start; auto. Qed.
 (** the energy at the exits *)
 Lemma exit_level n : E (tm n) = Ecr * (1 + q * y n).
 Proof. exact (exit_energy m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hp HR n). Qed.
-(** the levels are positive *)
 Lemma y_plus n : 0 < y n. Proof. apply pow_lt, hh_pos, ph_pi. Qed.
 
 (** they tend to 0 *)
@@ -105,7 +98,6 @@ Proof.
     apply is_lim_seq_minus'; [apply cycle_limit|apply slip_time].
 Qed.
 
-(** the exit times are sums of cycle times *)
 Lemma tm_sum n : tm (S n) = t0 + sum_f_R0 cy n.
 Proof. induction n; [reflexivity|]. rewrite tm_S, IHn. simpl sum_f_R0. ring. Qed.
 (** so the n-th exit time over n tends to pi/Omega *)
@@ -121,7 +113,6 @@ Proof.
   exists 1%nat. intros n Hn. destruct n; [inversion Hn|]. rewrite tm_sum. simpl pred. field.
     apply not_0_INR; discriminate.
 Qed.
-(** they tend to infinity *)
 Lemma tm_inf : is_lim_seq tm p_infty.
 Proof.
   apply is_lim_seq_ext_loc with (fun n => INR n * (tm n / INR n)).
@@ -129,7 +120,6 @@ Proof.
   apply is_lim_seq_mult with p_infty (PI / om); [apply is_lim_seq_INR|apply time_rate|].
   apply is_Rbar_mult_p_infty_pos. simpl. apply Rdiv_lt_0_compat; auto. apply PI_RGT_0.
 Qed.
-(** and exceed every time *)
 Lemma tm_above B : exists n, B < tm n.
 Proof. pose proof tm_inf as T. apply is_lim_seq_spec in T. destruct (T B) as (n & K). exists n. apply K; auto. Qed.
 
@@ -234,7 +224,6 @@ Proof.
     { undivide Tl. assert (om * (tm n - t0) <= om * (t - t0)) by scale. lra. }
     assert (A * (INR n + 1) <= A * (om * (t - t0) / Tl + 1)) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
-(** levels are at most the first one, and so are the pushes *)
 Lemma y_below n : y n <= y 0.
 Proof. induction n; [lra|]. pose proof (ReturnMap.y_falls r r_pos ph ph_pi y_step n) as F. unfold y in *. lra. Qed.
 Lemma push_below n : hh (ph n) <= hh p.

@@ -1,7 +1,7 @@
 (** The one numerical inequality behind the merging set: a short slip that ends in S0 stays above E_cr, with the share q
     replaced by the least one at which the slip is short. By interval arithmetic away from p = 0. *)
 From Interval Require Import Tactic.
-From InertialPair Require Import Dini Stick Excursion ReturnMap SlipFromGap.
+From InertialPair Require Import Dini Excursion ReturnMap SlipFromGap.
 
 (** in the middle, by interval arithmetic *)
 Lemma margin_mid p : 7 / 10 <= p <= 16 / 10 ->

@@ -8,7 +8,6 @@ Definition ct p := cos p / sin p.
 (** the push whose slip from the gap d has the half angle p *)
 Definition push d p := hh p - d * ct p.
 
-(** it decreases *)
 Lemma ct_falls p q : 0 < p -> p < q -> q < PI -> ct q < ct p.
 Proof.
   intros. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin_gt_0 q ltac:(lra) ltac:(lra)) as S'.
@@ -17,7 +16,6 @@ Proof.
     { apply Rdiv_lt_0_compat; [apply sin_gt_0; lra|apply Rmult_lt_0_compat; auto]. }
   lra.
 Qed.
-(** and takes every value *)
 Lemma ct_atan c : ct (PI / 2 - atan c) = c.
 Proof. unfold ct. rewrite sin_shift, cos_shift. apply tan_atan. Qed.
 (** h - d cot increases from -oo to +oo: one root *)
@@ -29,7 +27,7 @@ Qed.
 (** what is below u at one angle is u at another *)
 Lemma push_ex d u p0 : 0 < p0 < PI -> push d p0 < u -> {p | 0 < p < PI /\ push d p = u}.
 Proof.
-  intros Hp P. set (F := fun p => p - sin p * cos p - d * (sin p * cos p) - u * sin p ^ 2). pose proof PI_RGT_0.
+  intros Hp P. set (F := fun p => p - sin p * cos p - d * (sin p * cos p) - u * sin p ^ 2).
   assert (E : forall p, 0 < p < PI -> 0 < sin p ^ 2 /\ F p = sin p ^ 2 * (push d p - u)).
   { intros p Hq. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). split; [positive|].
     unfold F, push, hh, ct. field. lra. }
@@ -72,8 +70,7 @@ Proof.
 Qed.
 
 Section Gap.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
 Let q := m1 / M.
 Let o1 := o1 m1 a2.
@@ -85,13 +82,12 @@ Let ray := ray m1 m2 a2 b.
 Definition at_gap k d u (x v1 v2 : R -> R) t := k * x t = L * (1 + q * d) /\ k * v1 t = ray u /\ k * v2 t = ray u.
 (** an exit ray is a gap of 0 *)
 Lemma ray_gap k u x v1 v2 t : on_ray m1 m2 a2 b k u x v1 v2 t <-> at_gap k 0 u x v1 v2 t.
-Proof. unfold on_ray, at_gap. fold L ray. rewrite Rmult_0_r, Rplus_0_r, Rmult_1_r. tauto. Qed.
+Proof. unfold on_ray, at_gap. rewrite Rmult_0_r, Rplus_0_r, Rmult_1_r. tauto. Qed.
 (** the mirror image *)
 Lemma gap_mirror k d u x v1 v2 t : at_gap k d u x v1 v2 t <->
   at_gap (- k) d u (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) t.
 Proof.
-  unfold at_gap. replace (- k * - x t) with (k * x t) by ring. replace (- k * - v1 t) with (k * v1 t) by ring.
-  replace (- k * - v2 t) with (k * v2 t) by ring. tauto.
+  unfold at_gap. lra.
 Qed.
 
 (** the slip from a gap: place of body 1 *)
@@ -106,9 +102,8 @@ Lemma guard d u t : 0 < o1 * t < 2 * PI ->
   G1 d u t - G2 u t = b / (m2 * o1) * (2 * sin (o1 * t / 2) ^ 2) * (push d (o1 * t / 2) - u).
 Proof.
   intros Th. assert (O : 0 < o1) by (apply o1_pos; auto). set (z := o1 * t / 2).
-    assert (Ez : o1 * t = 2 * z) by (unfold z; field).
-  pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 z) as SC. unfold Rsqr in SC.
-  unfold G1, G2. rewrite Ez, cos_2a_sin, sin_2a. unfold push, hh, ct. field. lra.
+  assert (Ez : o1 * t = 2 * z) by (unfold z; field). pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S. unfold G1, G2.
+  rewrite Ez, cos_2a_sin, sin_2a. unfold push, hh, ct. field. lra.
 Qed.
 (** v1 < v2 until the half angle p *)
 Lemma gap_sign d p t : 0 <= d -> 0 < p < PI -> 0 < t < 2 * p / o1 -> G1 d (push d p) t < G2 (push d p) t.
@@ -128,9 +123,9 @@ Proof.
   intros Hd Hp. assert (O : 0 < o1) by (apply o1_pos; auto).
     assert (Q : a2 = m1 * (o1 * o1)) by (apply o1_sq; auto). constructor.
   - intros t. unfold Gx, G1. auto_derive; auto. rewrite Q. field. repeat split; lra.
-  - intros t. unfold Gx, G1. auto_derive; auto. rewrite Q. field. repeat split; lra.
+  - intros t. unfold Gx, G1. auto_derive; auto. field. repeat split; lra.
   - intros t. unfold G2. auto_derive; auto. field. repeat split; lra.
-  - intros t Ht. split; [lra|]. split; [|auto]. intros N. exfalso. destruct (Req_dec t 0) as [Z|Z].
+  - split; [lra|]. split; [|auto]. intros N. destruct (Req_dec t 0) as [Z|Z].
     + rewrite Z in N. unfold G1, G2 in N. rewrite Rmult_0_r, cos_0, sin_0 in N. lra.
     + pose proof (gap_sign d p t Hd Hp ltac:(lra)). lra.
 Qed.
@@ -165,10 +160,9 @@ Definition level p d := let D := depth p + d in hh p ^ 2 - 2 * (1 - hh p * ct p)
 Lemma gap_energy p d : let D := depth p + d in
   energy m1 m2 a2 (L * (1 - q * D)) (- ray (hh p + ct p * D)) (- ray (hh p + ct p * D)) = Ecr * (1 + q * level p d).
 Proof.
-  intros D. set (w := hh p + ct p * D). pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 w) as R. cbv zeta in R.
-    fold M q L ray in R. fold Ecr in R.
-  assert (R1 : energy m1 m2 a2 (L * (1 - q * D)) (- ray w) (- ray w) = energy m1 m2 a2 L (ray w) (ray w) + Ecr *
-    ((1 - q * D) ^ 2 - 1)).
+  intros D. set (w := hh p + ct p * D). pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 w) as R. fold M q L ray in R.
+  fold Ecr in R. assert (R1 : energy m1 m2 a2 (L * (1 - q * D)) (- ray w) (- ray w) = energy m1 m2 a2 L (ray w) (ray w)
+    + Ecr * ((1 - q * D) ^ 2 - 1)).
   { unfold Ecr. rewrite Ecr_L by auto. fold L. unfold energy. field. }
   rewrite R1, R. unfold level, w. fold D. ring.
 Qed.
@@ -283,8 +277,7 @@ Proof. intros H1 H2 Hp. rewrite level_loss, push_0 by auto. ring. Qed.
 
 (** *** From the right exit ray, without a gap: every solution slips until the half angle p with hh p = u *)
 Section Ray.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
 Let q := m1 / M.
 Let r := m2 / M.

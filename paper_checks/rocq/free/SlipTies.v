@@ -1,8 +1,7 @@
 (** Ties: a slip, its exit and re-entry, the return map and the constant of the sharp law are what `theory/` derives. A test prints each expression of the
     theory and looks for it in the statement. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle ExitOrbit SlipFromGap
-  SharpRate.
+From InertialPair Require Import Dini Stick Excursion ReturnMap TurningFunction Cycle ExitOrbit SlipFromGap SharpRate.
 
 (** every square root of a parameter as a letter of its own *)
 Ltac root y := let w := fresh "w" in let E := fresh "E" in let P := fresh "P" in

@@ -2,7 +2,7 @@
     stick while the load is below bs has a bounded number of slips, and sticks for ever from some time on. Between bk
       and
     bs such motions are not unique in general (a stick might be left at any time); these are those that keep it. *)
-From InertialPair Require Import Dini Pair Stick Forced Approach BoundedMotions EnergyLimit.
+From InertialPair Require Import Dini Pair Stick Approach EnergyLimit.
 
 Section Robust.
 Variables m1 m2 a1 a2 bs bk : R.
@@ -56,8 +56,7 @@ Definition least_loss e := bk * ((m1 + m2) / (m1 * m2)) * (bs - bk) * least_slip
 
 (** *** Any motion with both frictions, whether it keeps its sticks or not *)
 Section Moves.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : two_frictions x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : two_frictions x v1 v2 s).
 Let w t := v1 t - v2 t.
 Let E t := energy (x t) (v1 t) (v2 t).
 Let ld t := stick_load (x t) (v1 t).
@@ -66,7 +65,7 @@ Let h0 := least_slip (E 0).
 Let e0 := least_loss (E 0).
 
 Let Mp : 0 < M. Proof. unfold M; lra. Qed.
-Let Kp : 0 < kap. Proof. unfold kap. apply Rdiv_lt_0_compat; nra. Qed.
+Let Kp : 0 < kap. Proof. apply Rdiv_lt_0_compat; nra. Qed.
 
 (** what is known of all motions *)
 Lemma jumping_moves : moves m1 m2 a1 a2 bk (bs / bk) (fun _ => 0) x v1 v2 s.
@@ -88,7 +87,6 @@ Qed.
 (** the energy falls by friction and the damper *)
 Lemma jumping_energy_rate t : 0 <= t -> rderiv E t (- bk * Rabs (w t) - a1 * v1 t ^ 2).
 Proof. exact (free_energy_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ jumping_moves t). Qed.
-(** it never grows *)
 Lemma jumping_decreases r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (free_decreases _ _ _ _ _ Hm1 Hm2 Ha1 Hk _ _ _ _ _ jumping_moves r t). Qed.
 
@@ -102,35 +100,31 @@ Proof.
   intros Hr. set (P := sqrt (2 * E 0 / a2)). set (V := sqrt (2 * E 0 / m1)). set (A := (a2 * P + a1 * V + bs) / m1).
   assert (Bd : forall u, 0 <= u -> Rabs (x u) <= P /\ Rabs (v1 u) <= V).
   { intros u Hu. pose proof (jumping_decreases 0 u ltac:(lra)) as D. unfold E at 1, energy, Pair.energy in D.
-    pose proof (pow2_ge_0 (x u)). pose proof (pow2_ge_0 (v1 u)). pose proof (pow2_ge_0 (v2 u)).
     split; apply root_bound; auto; nra. }
   assert (Lx : Rabs (x t - x r) <= V * (t - r)).
-  { apply (lip_of_rderiv x v1); auto using (j_cx _ _ _ _ H). intros u Hu. split; [apply (j_x _ _ _ _ H)|apply Bd]; auto.
-    }
+  { apply (lip_of_rderiv x v1); auto using (j_cx _ _ _ _ H). split; [apply (j_x _ _ _ _ H)|apply Bd]; auto. }
   assert (Lv : Rabs (v1 t - v1 r) <= A * (t - r)).
   { assert (L1 : Rabs ((m1 * v1 t + bk * s t) - (m1 * v1 r + bk * s r)) <= (a2 * P + a1 * V) * (t - r)).
     { apply (lip_of_rderiv (fun u => m1 * v1 u + bk * s u) (fun u => - (a2 * x u + a1 * v1 u))); auto.
       - apply cont_plus; apply cont_scal; [apply (j_cv _ _ _ _ H)|apply Cs].
-      - intros u Hu. split; [apply (j_v1 _ _ _ _ H); auto|]. destruct (Bd u Hu) as (B1 & B2). rewrite Rabs_Ropp.
-        apply Rabs_inv in B1. apply Rabs_inv in B2. apply Rabs_le. split; nra. }
+      - intros u Hu. split; [apply (j_v1 _ _ _ _ H); auto|]. destruct (Bd u Hu) as (B1 & B2). apply Rabs_inv in B1.
+        apply Rabs_inv in B2. apply Rabs_le. split; nra. }
     pose proof (j_lip _ _ _ _ H r t Hr) as L2. rewrite <- (Rabs_pos_eq bk), <- Rabs_mult in L2 by lra.
     apply Rmult_le_reg_l with m1; auto. replace (m1 * (A * (t - r))) with ((a2 * P + a1 * V) * (t - r) + bs * (t - r))
       by (unfold A; field; lra). rewrite <- (Rabs_pos_eq m1) at 1 by lra. rewrite <- Rabs_mult.
     replace (m1 * (v1 t - v1 r)) with ((m1 * v1 t + bk * s t - (m1 * v1 r + bk * s r)) - bk * (s t - s r)) by ring.
     eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
   replace (C * (t - r)) with (m2 / M * (a2 * (V * (t - r)) + a1 * (A * (t - r)))) by (unfold C, load_rate, M, A, V, P;
-    field; split; lra).
-  unfold ld, stick_load. replace (- (m2 * (a2 * x t + a1 * v1 t)) / (m1 + m2) - - (m2 * (a2 * x r + a1 * v1 r)) / (m1 +
-    m2)) with (m2 / M * (- (a2 * (x t - x r) + a1 * (v1 t - v1 r)))) by (unfold M; field; lra).
-  assert (0 < m2 / M) by positive. rewrite Rabs_mult, Rabs_pos_eq by lra.
-  apply Rmult_le_compat_l; [lra|]. rewrite Rabs_Ropp. apply Rabs_inv in Lx. apply Rabs_inv in Lv. apply Rabs_le. split;
-    nra.
+    field; split; lra). unfold ld, stick_load. replace (- (m2 * (a2 * x t + a1 * v1 t)) / (m1 + m2) - - (m2 * (a2 * x r
+    + a1 * v1 r)) / (m1 + m2)) with (m2 / M * (- (a2 * (x t - x r) + a1 * (v1 t - v1 r)))) by (unfold M; field; lra).
+  assert (0 < m2 / M) by positive. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat_l; [lra|].
+  apply Rabs_inv in Lx. apply Rabs_inv in Lv. apply Rabs_le. split; nra.
 Qed.
 
 Let C0 : 0 <= C.
 Proof. pose proof (load_lip 0 1 ltac:(lra)) as L. pose proof (Rabs_pos (ld 1 - ld 0)). lra. Qed.
 Let Dp : 0 < (bs - bk) * sqrt (a2 / m1).
-Proof. apply Rmult_lt_0_compat; [lra|]. positive. Qed.
+Proof. positive. Qed.
 Let H0 : 0 < h0. Proof. unfold h0, least_slip. fold C. positive. Qed.
 Let Ch : C * h0 <= (bs - bk) / 2.
 Proof.
@@ -141,8 +135,7 @@ Qed.
 
 (** *** From a contact with the load bs in a direction: once it slips, it slips on that way, faster and faster *)
 Section Launch.
-Variables c k : R.
-Hypotheses (Hc : 0 <= c) (Meet : v1 c = v2 c) (Hk' : k = 1 \/ k = -1) (Edge : bs <= k * ld c).
+Context (c k : R) (Hc : 0 <= c) (Meet : v1 c = v2 c) (Hk' : k = 1 \/ k = -1) (Edge : bs <= k * ld c).
 
 (** for a while the load stays well above bk *)
 Lemma load_above t : c <= t <= c + h0 -> (bs + bk) / 2 <= k * ld t.
@@ -154,13 +147,12 @@ Qed.
 (** it does not slip the other way *)
 Lemma not_back t : c <= t <= c + h0 -> 0 <= k * w t.
 Proof.
-  intros Ht. apply Ropp_le_cancel. rewrite Ropp_0. apply le_epsilon. intros e He. rewrite Rplus_0_l.
-  apply (barrier_until (fun u => - (k * w u)) e c t); auto; try lra.
-  - apply cont_ext with (fun u => (- k) * w u); [intros; ring|]. apply cont_scal, Cw.
-  - unfold w. rewrite Meet. lra.
-  - intros u Hu Wu. pose proof (load_above u ltac:(lra)) as La. apply rderiv_dini with (kap * (- k * ld u - bk));
-    [nra|]. apply rderiv_ext with (fun r => - k * w r); [intros; ring|].
-    apply slip_rate; [lra|destruct Hk'; subst k; lra|lra].
+  intros Ht. cut (- k * w t <= 0); [lra|].
+  apply (moves_behind m1 m2 a1 a2 bk Hm1 Hm2 _ _ _ _ _ _ jumping_moves c t (- k)); [lra|lra|rewrite Meet; lra|].
+  intros q Hq. exists 0. split; [eapply rderiv_dini; [|apply rderiv_scal, (rderiv_const 0 q)]; lra|].
+  pose proof (load_above q ltac:(lra)) as La.
+  replace (m2 * _) with (- (k * ld q) * (m1 + m2)) by (unfold ld, stick_load; field; lra).
+  apply Rmult_le_compat_r; lra.
 Qed.
 
 (** and once it slips it does not stop, but gains speed *)
@@ -170,15 +162,14 @@ Proof.
   assert (Rate : forall u, p <= u <= t -> kap * ((bs - bk) / 2) <= kap * (k * ld u - bk)).
   { intros u Hu. pose proof (load_above u ltac:(lra)). scale. }
   assert (Up : forall u, p <= u <= t -> k * w p <= k * w u).
-  { intros u Hu. destruct (Rle_dec (k * w p) (k * w u)) as [|N]; auto. exfalso.
+  { intros u Hu. destruct (Rle_dec (k * w p) (k * w u)) as [|N]; auto.
     destruct (last_nonneg (fun y => k * w y - k * w p) p u) as (l & Hl & Wl & Ab); try lra.
     { apply cont_minus; auto using cont_const. }
-    assert (l < u) by (destruct (Req_dec l u) as [->|]; lra).
     set (g := kap * (k * ld l - bk)). assert (G : 0 < g) by (specialize (Rate l ltac:(lra)); unfold g; nra).
     destruct (slip_rate l k ltac:(lra) Hk' ltac:(lra) (g / 2)) as (d & Hd & K); [lra|]. fold g in K.
     set (h := Rmin (d / 2) (u - l)). assert (h <= d / 2) by apply Rmin_l. assert (h <= u - l) by apply Rmin_r.
-    assert (0 < h) by positive. specialize (K h ltac:(lra)). apply Rabs_inv in K.
-    specialize (Ab (l + h) ltac:(lra)). nra. }
+    assert (0 < h) by positive. specialize (K h ltac:(lra)). apply Rabs_inv in K. specialize (Ab (l + h) ltac:(lra)).
+    nra. }
   assert (Q : - (k * w t) - - (k * w p) <= - (kap * ((bs - bk) / 2)) * (t - p)); [|lra].
   apply (dini_slope (fun u => - (k * w u))); [|lra|].
   { apply cont_ext with (fun u => -1 * (k * w u)); [intros; ring|auto using cont_scal]. }
@@ -198,22 +189,20 @@ Proof.
       intros u. auto_derive; auto. field.
     - intros u Hu. split.
       + apply rderiv_plus; [apply jumping_energy_rate; lra|]. apply rderiv_of_derive. auto_derive; auto. field.
-      + pose proof (gains p u ltac:(lra) ltac:(lra) Wp) as Gu. fold g in Gu. pose proof (pow2_ge_0 (v1 u)).
-        assert (k * w u <= Rabs (w u)). { pose proof (Rle_abs (w u)). pose proof (Rle_abs (- w u)) as R2.
-          rewrite Rabs_Ropp in R2. destruct Hk'; subst k; lra. } nra. }
+      + pose proof (gains p u ltac:(lra) ltac:(lra) Wp) as Gu. fold g in Gu. assert (k * w u <= Rabs (w u)). {
+        pose proof (Rle_abs (w u)). pose proof (Rle_abs (- w u)) as R2. rewrite Rabs_Ropp in R2.
+        destruct Hk'; subst k; lra. } nra. }
   pose proof (jumping_decreases c p ltac:(lra)) as D.
-  assert (S : (h0 / 2) ^ 2 <= (c + h0 - p) ^ 2) by (apply pow_incr; lra).
   assert (bk * g / 2 * (h0 / 2) ^ 2 <= bk * g / 2 * (c + h0 - p) ^ 2) by (apply Rmult_le_compat_l; nra).
   replace e0 with (bk * g / 2 * (h0 / 2) ^ 2). 2: { unfold e0, least_loss, g, kap, M, h0. field; lra. }
-  replace ((p - p) ^ 2) with 0 in Q by ring. lra.
+  lra.
 Qed.
 End Launch.
 
 (** something *)
 Lemma loss_pos : 0 < e0.
 Proof.
-  change (0 < bk * kap * (bs - bk) * h0 ^ 2 / 16). assert (0 < h0 ^ 2) by positive.
-  assert (0 < bk * kap * (bs - bk)) by positive. apply Rdiv_lt_0_compat; [positive|lra].
+  apply Rdiv_lt_0_compat; [positive|lra].
 Qed.
 (** in a time that is not nothing *)
 Lemma slip_pos : 0 < h0.
@@ -222,8 +211,7 @@ End Moves.
 
 (** *** A motion that keeps its sticks *)
 Section One.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : jumping x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : jumping x v1 v2 s).
 Let H2 := j_two _ _ _ _ H.
 Let w t := v1 t - v2 t.
 Let E t := energy (x t) (v1 t) (v2 t).
@@ -271,11 +259,8 @@ Proof.
     assert (w u <> 0) by (unfold w; lra). destruct Hk'; subst k; lra. }
   assert (Long : p + h0 < q).
   { apply Rnot_le_lt. intros N. pose proof (faster p k ltac:(lra) Hk' Edge u q ltac:(unfold u; lra) N Wu) as G.
-    unfold w in G at 1. rewrite Mq in G. assert (0 < kap * ((bs - bk) / 2)) by nra. assert (0 < q - u) by (unfold u;
-      lra).
-    unfold w in *. nra. }
-  split; auto. pose proof (dearer p k ltac:(lra) Hk' Edge u ltac:(unfold u; lra) Wu).
-  pose proof (falls (p + h0) q ltac:(lra)). lra.
+    unfold w in G at 1. assert (0 < kap * ((bs - bk) / 2)) by nra. assert (0 < q - u) by (unfold u; lra). nra. }
+  pose proof (dearer p k ltac:(lra) Hk' Edge u ltac:(unfold u; lra) Wu). pose proof (falls (p + h0) q ltac:(lra)). lra.
 Qed.
 
 (** [static-few-slips] With static friction above kinetic, where sticks are kept, a free motion has at most $E(0)/e_0$
@@ -287,11 +272,11 @@ Proof.
   { induction n as [|n IH]; [simpl; lra|]. destruct (Sl n ltac:(lia)) as (Hp & _).
     specialize (IH ltac:(intros; apply Sl; lia) ltac:(intros; apply Or; lia)). rewrite S_INR.
     destruct (slip_costs _ _ (Sl n ltac:(lia))) as (_ & Co). destruct n as [|n].
-    - simpl in *. pose proof (falls 0 (p O) ltac:(lra)). lra.
+    - pose proof (falls 0 (p O) ltac:(lra)). lra.
     - specialize (Or n ltac:(lia)). destruct (Sl n ltac:(lia)) as (Hp' & _).
       pose proof (falls (q n) (p (S n)) ltac:(lra)). lra. }
   assert (Ep : forall t, 0 <= E t) by (intros; apply energy_pos; auto). destruct n; [|specialize (Ep (q n)); lra].
-  simpl. rewrite Rmult_0_l. apply Ep.
+  rewrite Rmult_0_l. apply Ep.
 Qed.
 
 (** it meets again after any time *)
@@ -314,10 +299,10 @@ Proof.
   - intros l Hl Wl. apply Classical_Prop.NNPP. intros Nl.
     assert (Out : forall d, 0 < d -> exists u, l < u < l + d /\ v1 u <> v2 u).
     { intros d Hd. apply Classical_Prop.NNPP. intros Nu. apply Nl. exists d. split; auto. intros u Hu.
-      apply Classical_Prop.NNPP. intros Wu. apply Nu. exists u. split; auto. unfold w in Wu. lra. }
+      apply Classical_Prop.NNPP. intros Wu. apply Nu. exists u. unfold w in Wu. lra. }
     destruct (leaves l ltac:(lra) ltac:(unfold w in Wl; lra) Out) as (k & Hk' & Edge).
-    destruct (Out (h0 / 2)) as (u & Hu & Nu); [lra|]. apply No. exists (l + h0). split; [lra|].
-    pose proof (falls c l ltac:(lra)). assert (Wu : 0 < k * w u).
+    destruct (Out (h0 / 2)) as (u & Hu & Nu); [lra|]. apply No. exists (l + h0). pose proof (falls c l ltac:(lra)).
+    assert (Wu : 0 < k * w u).
     { pose proof (back l k ltac:(lra) ltac:(unfold w in Wl; lra) Hk' Edge u ltac:(lra)).
       assert (w u <> 0) by (unfold w; lra). destruct Hk'; subst k; lra. }
     pose proof (dearer l k ltac:(lra) Hk' Edge u ltac:(lra) Wu). lra.
@@ -333,8 +318,7 @@ Proof.
   { induction n as [|n IH]; intros T HT En; destruct (jumping_contact T HT) as (c & Hc & Meet);
     pose proof (falls T c ltac:(lra)) as D;
     (destruct (stuck_or_dearer c ltac:(lra) Meet) as [St|(t & Ht & Et)]; [exists c; split; [lra|auto]|]).
-    - exfalso. simpl in En. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)). unfold E, energy in *.
-      lra.
+    - simpl in En. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)). unfold E, energy in *. lra.
     - apply (IH t); [lra|]. rewrite S_INR in En. lra. }
   destruct (nat_above (E 0) e0 e0_pos) as (n & Hn). apply (Q n 0); lra.
 Qed.

@@ -1,7 +1,7 @@
 (** Static friction bs above kinetic bk: from every state a motion that keeps its sticks exists. A stick is a motion of the
     pair with the friction bs until its load is bs, a slip one with the friction bk until the next contact. As each slip
     from a contact costs a fixed energy, these are finitely many pieces. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Arcs WellPosed EnergyLimit StaticFriction.
+From InertialPair Require Import Dini Pair Stick Pursuit Arcs WellPosed EnergyLimit StaticFriction.
 
 Section Kept.
 Variables m1 m2 a1 a2 bs bk : R.
@@ -40,7 +40,6 @@ Proof.
   intros [L P N CX CV X V W]. constructor; auto. intros r t Hr. pose proof (L r t Hr).
   pose proof (Rabs_pos (s t - s r)). assert (bk * (t - r) <= bs * (t - r)) by (apply Rmult_le_compat_r; lra). nra.
 Qed.
-(** and so until any time *)
 Lemma kinetic_until T x v1 v2 s : 0 <= T -> solution m1 m2 a1 a2 bk x v1 v2 s -> until T x v1 v2 s.
 Proof.
   intros HT H. destruct (jumping_moves _ _ _ _ _ _ Hk _ _ _ _ (kinetic _ _ _ _ H)) as [L P CX CV X V W].
@@ -104,21 +103,12 @@ Qed.
 Lemma stay x v1 v2 s : solution m1 m2 a1 a2 bs x v1 v2 s -> v1 0 = v2 0 -> forall T, 0 <= T ->
   (forall t, 0 <= t < T -> Rabs (load (x t) (v1 t)) < bs) -> forall t, 0 <= t <= T -> v1 t = v2 t.
 Proof.
-  intros H Meet T HT Low t Ht. pose proof (solution_moving _ _ _ _ _ _ _ _ _ H) as Mv.
-  assert (Cw : cont (fun u => v1 u - v2 u))
-    by (apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ Mv)]).
-  assert (Kp : 0 < (m1 + m2) / (m1 * m2)) by (apply Rdiv_lt_0_compat; nra).
-  assert (Key : forall k, k = 1 \/ k = -1 -> k * (v1 t - v2 t) <= 0).
-  { intros k Hk'. apply le_epsilon. intros e He. rewrite Rplus_0_l.
-    apply (barrier_until (fun u => k * (v1 u - v2 u)) e 0 t); [apply cont_scal; auto|lra|rewrite Meet; lra|].
-    intros u Hu Wu. pose proof (Low u ltac:(lra)) as L. apply Rabs_def2 in L.
-    pose proof (q_slip _ _ _ _ _ _ _ _ _ _ _ Mv u ltac:(lra) k Hk' ltac:(lra)) as S.
-    eapply rderiv_dini; [|apply rderiv_scal, (moves_rate m1 m2 a1 a2 bs Hm1 Hm2 _ _ _ _ _ _ Mv u 0 k ltac:(lra) (rderiv_const 0 u) S)].
-    unfold load, stick_load in L. set (c := (m1 + m2) / (m1 * m2)) in *.
-    replace (m2 * (0 - a2 * x u - a1 * v1 u) / (m1 + m2)) with (- (m2 * (a2 * x u + a1 * v1 u)) / (m1 + m2)) by (field; lra).
-    set (l := - (m2 * (a2 * x u + a1 * v1 u)) / (m1 + m2)) in *.
-    replace (k * (c * (l - bs * k))) with (c * (k * l - bs)) by (destruct Hk'; subst k; ring).
-    assert (k * l - bs <= 0) by (destruct Hk'; subst k; lra). nra. }
+  intros H Meet T HT Low t Ht. assert (Key : forall k, k = 1 \/ k = -1 -> k * (v1 t - v2 t) <= 0).
+  { intros k Hk'. apply (moves_behind m1 m2 a1 a2 bs Hm1 Hm2 _ _ _ _ _ _ H 0 t k); [lra|auto|rewrite Meet; lra|].
+    intros u Hu. exists 0. split; [eapply rderiv_dini; [|apply rderiv_scal, (rderiv_const 0 u)]; lra|].
+    pose proof (Low u ltac:(lra)) as L. apply Rabs_def2 in L.
+    replace (m2 * _) with (k * load (x u) (v1 u) * (m1 + m2)) by (unfold load, stick_load; field; lra).
+    apply Rmult_le_compat_r; [lra|]. destruct Hk'; subst k; lra. }
   pose proof (Key 1 ltac:(auto)). pose proof (Key (-1) ltac:(auto)). lra.
 Qed.
 

@@ -1,10 +1,9 @@
 (** What a stuck pair can do under the equations (3), (4): follow the velocities that ask for less than all of the
     friction; so it takes body 2 from rest to rest over any way, in every time that exceeds the least one. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced ModeAtContact AlmostEverywhere Filippov Switching.
+From InertialPair Require Import Dini Pursuit Forced AlmostEverywhere Filippov Switching.
 
 Section Literal.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** The force of a stuck pair along a velocity v with the acceleration c. *)
 Let place x0 v t := x0 + integral v t.

@@ -1,7 +1,7 @@
 (** The paper's equations (3), (4), which switch between the two modes by three-valued signs: absolutely continuous
     functions obey them at almost all times exactly if they are a motion of Coulomb's law (in Filippov's sense) that
     at almost all times of a stick asks for less than all of the friction. Without a force every motion does. *)
-From InertialPair Require Import Dini Pair Stick Forced ForcedExistence ModeAtContact AlmostEverywhere Filippov.
+From InertialPair Require Import Dini Forced ModeAtContact AlmostEverywhere Filippov.
 
 (** the three-valued sign, eq. (1) *)
 Definition sgn r := if Rlt_dec 0 r then 1 else if Rlt_dec r 0 then -1 else 0.
@@ -9,8 +9,7 @@ Lemma sgn_cases r : (0 < r /\ sgn r = 1) \/ (r < 0 /\ sgn r = -1) \/ (r = 0 /\ s
 Proof. unfold sgn. destruct (Rlt_dec 0 r); [auto|]. destruct (Rlt_dec r 0); [auto|]. right; right. split; lra. Qed.
 
 Section Switching.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** eqs. (3) and (4) at one time: a and a' are the accelerations of the bodies *)
 Definition switched (u x v1 v2 : R -> R) t := exists a a' : R, is_derive x t (v1 t) /\ is_derive v1 t a /\
@@ -163,37 +162,6 @@ Proof.
   intros t _ (g & _ & _ & _ & _ & D1 & D2). eexists. eexists. split; [exact D1|]. split; [exact D2|]. field. lra.
 Qed.
 
-(** [no-solution-inside] With $\mathrm{sgn}(0)=0$ in place of the set-valued sign Coulomb's law has no solution from a
-    contact with $0<|a_2x_1+a_1v_1|<b(m_1+m_2)/m_2$. *)
-Theorem no_solution_inside x0 v0 : 0 < Rabs (a2 * x0 + a1 * v0) < b * (m1 + m2) / m2 -> ~ exists x v1 v2,
-  ac x /\ ac v1 /\ ac v2 /\ x 0 = x0 /\ v1 0 = v0 /\ v2 0 = v0 /\ almost (fun t => is_derive x t (v1 t) /\
-    is_derive v1 t ((- a2 * x t - a1 * v1 t - b * sgn (v1 t - v2 t)) / m1) /\ is_derive v2 t (b * sgn (v1 t - v2 t) / m2)).
-Proof.
-  intros P0 (x & v1 & v2 & Ax & A1 & A2 & X0 & V0 & W0 & D). set (p := fun t => a2 * x t + a1 * v1 t).
-  assert (F : filippov (fun _ => 0) x v1 v2).
-  { repeat (split; [auto|]). revert D. apply almost_impl. intros t _ (Dx & D1 & D2). exists (sgn (v1 t - v2 t)).
-    replace (0 - a2 * x t) with (- a2 * x t) by ring.
-    split; [|split; [|split; [|auto]]]; intros; destruct (sgn_cases (v1 t - v2 t)) as [Q|[Q|Q]]; lra. }
-  pose proof (filippov_forced m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ _ (proj1 no_force) F) as H.
-  assert (Cp : cont p) by (apply cont_plus; apply cont_scal, cont_ac; auto).
-  destruct (Cp 0 (Rle_refl 0) (Rabs (p 0))) as (d & Hd & K); [unfold p; rewrite X0, V0; lra|].
-  destruct (sticks_at m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 (fun _ => 0) (fun _ => 0) x v1 v2 _ 0 1 H (Rle_refl 0) Rlt_0_1
-    (fun t _ => rderiv_const 0 t)) as (d' & Hd' & St); [|lra| |].
-  - intros e He. exists 1. split; [lra|]. intros h _. rewrite Rminus_diag_eq, Rabs_R0 by auto. lra.
-  - unfold ModeAtContact.load. rewrite X0, V0. replace (m2 * (0 - a2 * x0 - a1 * v0) / (m1 + m2)) with (- (m2 / (m1 + m2)) *
-      (a2 * x0 + a1 * v0)) by (field; lra). rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (m2 / _)) by (apply Rlt_le; positive).
-    replace b with (m2 / (m1 + m2) * (b * (m1 + m2) / m2)) by (field; lra). apply Rmult_lt_compat_l; [positive|lra].
-  - destruct (almost_some _ (Rmin d d' / 2) ltac:(assert (0 < Rmin d d') by (apply Rmin_glb_lt; auto); lra)
-      (almost_and _ _ D (stuck_at _ _ _ _ F))) as (t & Ht & (_ & _ & D2) & S).
-    pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). assert (0 < Rmin d d') by (apply Rmin_glb_lt; auto).
-    specialize (St t ltac:(lra)). destruct (S St) as (a & _ & _ & D2' & Ld & _).
-    pose proof (eq_trans (eq_sym (is_derive_unique _ _ _ D2)) (is_derive_unique _ _ _ D2')) as Ea.
-    destruct (sgn_cases (v1 t - v2 t)) as [(Q & _)|[(Q & _)|(_ & Q)]]; try lra. rewrite Q in Ea.
-    specialize (K t ltac:(lra) ltac:(rewrite Rminus_0_r, Rabs_pos_eq; lra)).
-    replace (p t) with (- ((m1 + m2) / m2) * load (fun _ => 0) x v1 t) in K by (unfold p, load, ModeAtContact.load; field; lra).
-    rewrite Ld, <- Ea in K. replace (- ((m1 + m2) / m2) * (m2 * (b * 0 / m2)) - p 0) with (- p 0) in K by (field; lra).
-    rewrite Rabs_Ropp in K. lra.
-Qed.
 End Switching.
 
 (** [no-solution-under-control] Case study, $b=0.5$, from rest at 0 under $u=1+50t^2$: (3), (4) have no solution. *)

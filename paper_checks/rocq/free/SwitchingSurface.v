@@ -4,12 +4,11 @@
       otherwise
     it slips at once, into the half-space of the transversality conditions. The ellipses on S up to E_cr are the only
     motions on S that last for ever. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle ExitOrbit SharpRate SharpLaw
-  SlipFromGap AfterOneSlip ReturnToS0.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle ExitOrbit SharpRate SharpLaw SlipFromGap
+  AfterOneSlip ReturnToS0.
 
 Section Surface.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let q := m1 / (m1 + m2).
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
@@ -21,8 +20,7 @@ Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
 Definition normal_rate k x := - (a2 * m2 * x + k * b * (m1 + m2)) / (m1 * m2).
 
 Section Solution.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 
 (** Off S: v1 - v2 has the rate of the slip of its sign. *)

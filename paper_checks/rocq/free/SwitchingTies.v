@@ -1,6 +1,6 @@
 (** Ties: equations (3), (4) and (11), (12) of the paper and the load are what `theory/` derives. A test prints each
     expression of the theory and looks for it in the statement. *)
-From InertialPair Require Import Dini Stick ModeAtContact Switching CaseStudy.
+From InertialPair Require Import Dini ModeAtContact Switching CaseStudy.
 
 (** [tie-switching] Equations (3) and (4) of the paper at one time. *)
 Theorem tie_switching : forall m1 m2 a1 a2 b (u x v1 v2 : R -> R) t, 0 < m2 -> Switching.switched m1 m2 a1 a2 b u x v1 v2 t <->

@@ -1,20 +1,17 @@
 (** The one root of K in (0, pi], without numerics. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Stick Excursion ReturnMap.
+From InertialPair Require Import Dini Excursion ReturnMap.
 
 (** the turning function *)
 Definition K p := (p - sin p * cos p) - sqrt 2 * (sin p - p * cos p).
 (** the factor of its slope that changes sign *)
 Definition k p := 2 * sin p - sqrt 2 * p.
 
-(** the slope *)
 Lemma derive_K p : is_derive K p (sin p * k p).
 Proof.
   unfold K, k. auto_derive; auto. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. generalize (sqrt 2); intros q. nra.
 Qed.
-(** it is continuous *)
 Lemma cont_K : cont K. Proof. eapply cont_of_derive. apply derive_K. Qed.
-(** so is the factor *)
 Lemma cont_k : cont k.
 Proof. apply cont_of_derive with (fun p => 2 * cos p - sqrt 2). intros t. unfold k. auto_derive; auto. ring. Qed.
 
@@ -25,7 +22,6 @@ Proof.
   { intros t _. apply is_derive_Reals, derive_K. } exists t; auto.
 Qed.
 
-(** the factor is positive and then negative *)
 Lemma turn : exists p1, 0 < p1 < PI /\ (forall t, 0 < t < p1 -> 0 < k t) /\ (forall t, p1 < t < PI -> k t < 0).
 Proof.
   pose proof PI_RGT_0 as P0. pose proof PI2_1 as P1. assert (S2 : 1 < sqrt 2). { rewrite <- sqrt_1 at 1.

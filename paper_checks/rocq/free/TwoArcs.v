@@ -3,8 +3,7 @@ From InertialPair Require Import Dini Pair Stick WellPosed FollowArc Cycle ExitO
   SwitchingSurface.
 
 Section TwoArcs.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let q := m1 / (m1 + m2).
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
@@ -14,24 +13,21 @@ Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
 Definition level_speed e y := sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)).
 
 Section Level.
-Variable e : R.
-Hypothesis He : Ecr < e.
+Context (e : R) (He : Ecr < e).
 Let sp := level_speed e.
 
-(** above E_cr it is positive on S0, least at the ends *)
 Lemma speed_pos y : - L <= y <= L -> 0 < sp L <= sp y /\ energy m1 m2 a2 y (sp y) (sp y) = e.
 Proof.
   intros Hy. assert (y ^ 2 <= L ^ 2) by nra. assert (a2 * y ^ 2 <= a2 * L ^ 2) by scale.
   assert (HL : a2 * L ^ 2 < 2 * e) by (unfold Ecr in He; rewrite Ecr_L in He by auto; fold L in He; lra).
   split; [split|].
   - apply sqrt_lt_R0, Rdiv_lt_0_compat; lra.
-  - apply sqrt_le_1_alt. unfold Rdiv. apply Rmult_le_compat_r; [positive|lra].
+  - apply sqrt_le_1_alt. apply Rmult_le_compat_r; [positive|lra].
   - unfold sp, level_speed, energy. replace (a2 * y ^ 2 / 2 + m1 * sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) ^ 2 / 2
       + m2 * sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) ^ 2 / 2)
       with (a2 * y ^ 2 / 2 + (m1 + m2) * (sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) * sqrt ((2 * e - a2 * y ^ 2) / (m1 +
         m2))) / 2) by field. rewrite sqrt_sqrt; [field; lra|]. apply Rlt_le, Rdiv_lt_0_compat; lra.
 Qed.
-(** and the level fixes the speed, up to its sign *)
 Lemma level_speeds y v : - L <= y <= L -> energy m1 m2 a2 y v v = e <-> v = sp y \/ v = - sp y.
 Proof.
   intros Hy. destruct (speed_pos y Hy) as (P & Ey). split.
@@ -66,8 +62,8 @@ Proof.
     pose proof (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H 0 t ltac:(lra)).
     pose proof (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H t T ltac:(lra)). lra. }
   assert (Neg : forall t, 0 <= t <= T -> v1 t = - sp (x t)).
-  { intros t Ht. destruct (St t Ht) as (_ & Hx). destruct (proj1 (level_speeds (x t) (v1 t) Hx) (Et t Ht)) as [S|S];
-      auto. exfalso. destruct (speed_pos (x t) Hx) as (Sp & _).
+  { intros t Ht. destruct (St t Ht) as (_ & Hx).
+    destruct (proj1 (level_speeds (x t) (v1 t) Hx) (Et t Ht)) as [S|S]; auto. destruct (speed_pos (x t) Hx) as (Sp & _).
     destruct (cont_IVT v1 0 t (s_cv _ _ _ _ _ _ _ _ _ H)) as (c & Hc & Z); [lra|rewrite V0, S; nra|].
     destruct (St c ltac:(lra)) as (_ & Hxc). destruct (speed_pos (x c) Hxc) as (Sc & _).
     destruct (proj1 (level_speeds (x c) (v1 c) Hxc) (Et c ltac:(lra))); lra. }

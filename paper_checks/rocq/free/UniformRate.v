@@ -1,12 +1,10 @@
 (** What the law E - E_cr ~ 1/t owes to the energy at the start. The upper constant depends on it alone: E - E_cr <=
     c/t, one c for all motions that start below a level and never merge. The lower one does not: of every energy above
     E_cr there are motions that come to S0 within a fixed time as close to E_cr as one likes, and never merge. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap EnergyLimit FollowArc Cycle SharpRate SharpLaw
-  ReturnToS0 Pursuit Forced ForcedExistence Arcs.
+From InertialPair Require Import Dini Pair Stick Excursion EnergyLimit Cycle SharpRate SharpLaw ReturnToS0 Forced Arcs.
 
 Section Uniform.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let Ecr := Ecr m1 m2 a2 b.
 Let L := L m1 m2 a2 b.
 Let o1 := o1 m1 a2.

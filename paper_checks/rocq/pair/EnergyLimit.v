@@ -2,7 +2,6 @@
     costs energy; above E_cr each turn would cost a fixed amount. *)
 From InertialPair Require Import Dini Pair Stick TurnedFrame.
 
-(** Archimedes *)
 Lemma nat_above y d : 0 < d -> exists k : nat, y < INR k * d.
 Proof.
   intros Hd. destruct (nfloor_ex (Rmax 0 (y / d)) (Rmax_l _ _)) as (n & _ & Hn). exists (S n). rewrite S_INR.
@@ -55,15 +54,13 @@ Lemma cos_below z : 0 <= z <= 1 -> 1 - z ^ 2 / 2 <= cos z.
 Proof.
   intros Hz. replace z with (2 * (z / 2)) at 2 by field. rewrite cos_2a_sin.
   destruct (Req_dec z 0) as [->|N]. { replace (0 / 2) with 0 by field. rewrite sin_0. lra. }
-  assert (sin (z / 2) < z / 2) by (apply sin_lt_x; lra).
-  assert (0 <= sin (z / 2)). { pose proof PI2_1. unfold Rdiv in *. apply sin_ge_0; lra. } nra.
+  assert (sin (z / 2) < z / 2) by (apply sin_lt_x; lra). assert (0 <= sin (z / 2)). { pose proof PI2_1.
+  apply sin_ge_0; lra. } nra.
 Qed.
 
 Section Limit.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 
 Let M := m1 + m2.
 Let om := omega m1 m2 a2.
@@ -85,17 +82,13 @@ Proof.
   eapply rderiv_eq; [|apply rderiv_plus; [apply (s_v1 _ _ _ _ _ _ _ _ _ H t Ht)|apply rderiv_const]]. ring.
 Qed.
 
-(** v2 is continuous *)
 Lemma cont_v : cont v2. Proof. exact (moves_cv2 m1 m2 0 a2 b Hm2 _ _ _ _ _ _ H). Qed.
-(** the relative velocity is continuous *)
 Lemma cont_w : cont w.
 Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|apply cont_v]. Qed.
-(** the energy is continuous *)
 Lemma cont_En : cont E. Proof. exact (moves_cE m1 m2 0 a2 b Hm2 _ _ _ _ _ _ H). Qed.
 (** slip costs energy *)
 Lemma E_rate t : 0 <= t -> rderiv E t (- b * Rabs (w t)).
 Proof. intros Ht. eapply rderiv_eq; [|apply (energy_rate m1 m2 0 a2 b Hm1 Hm2 _ _ _ _ H t Ht)]. unfold w; ring. Qed.
-(** the energy never increases *)
 Lemma E_mono r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ H r t). Qed.
 
@@ -128,10 +121,8 @@ Qed.
 Lemma outside_costs r tau g : 0 <= r -> 0 < tau -> 0 < g -> (forall u, r <= u < r + tau -> L m1 m2 a2 b + g <= x u) ->
   b * (a2 / m1 * g) * tau ^ 2 / 8 <= E r - E (r + tau).
 Proof.
-  intros Hr Ht Hg Hx. set (c := a2 / m1 * g).
-    assert (Hc : 0 < c) by (unfold c; apply Rmult_lt_0_compat; auto; apply Rdiv_lt_0_compat; auto).
-  set (m := r + tau / 2). pose proof (E_mono r m ltac:(unfold m; lra)) as M1.
-    pose proof (E_mono m (r + tau) ltac:(unfold m; lra)) as M2.
+  intros Hr Ht Hg Hx. set (c := a2 / m1 * g). set (m := r + tau / 2).
+  pose proof (E_mono r m ltac:(unfold m; lra)) as M1. pose proof (E_mono m (r + tau) ltac:(unfold m; lra)) as M2.
   assert (CQ : forall k, cont (fun u => k * (u - m) ^ 2)).
   { intros k. apply cont_of_derive with (fun u => k * (2 * (u - m))). intros u; auto_derive; auto. ring. }
   assert (RQ : forall k u, rderiv (fun u => k * (u - m) ^ 2) u (k * (2 * (u - m)))).
@@ -146,7 +137,7 @@ Proof.
         assert (F : w u - w m <= - c * (u - m)). { apply w_falls; [unfold m in *; lra|].
           intros z Hz; apply Hx; unfold m in *; lra. }
         assert (c * (u - m) <= Rabs (w u)) by (unfold Rabs; destruct Rcase_abs; nra). nra. }
-    replace (r + tau - m) with (tau / 2) in Q by (unfold m; field). replace (m - m) with 0 in Q by ring. lra.
+    replace (r + tau - m) with (tau / 2) in Q by (unfold m; field). lra.
   - assert (Q : E m + - (b * c / 2) * (m - m) ^ 2 <= E r + - (b * c / 2) * (r - m) ^ 2).
     { apply (rderiv_mono (fun u => E u + - (b * c / 2) * (u - m) ^ 2) r m (fun u => - b * Rabs (w u) + - (b * c /
       2) * (2 * (u - m)))).
@@ -156,7 +147,7 @@ Proof.
         assert (F : w m - w u <= - c * (m - u)). { apply w_falls; [unfold m in *; lra|].
           intros z Hz; apply Hx; unfold m in *; lra. }
         assert (c * (m - u) <= Rabs (w u)) by (unfold Rabs; destruct Rcase_abs; nra). nra. }
-    replace (r - m) with (- (tau / 2)) in Q by (unfold m; field). replace (m - m) with 0 in Q by ring. lra.
+    replace (r - m) with (- (tau / 2)) in Q by (unfold m; field). lra.
 Qed.
 
 (** E has a limit *)
@@ -176,7 +167,6 @@ Definition toll l := Rmin (b * (a2 / m1 * room l) * outing l ^ 2 / 8 / 2) (room 
 (** and within which time: a contact, a turn, and the stay *)
 Definition spell e l := 2 * sqrt (2 * e * m2) / b + 2 * PI / omega m1 m2 a2 + outing l.
 
-(** there is room *)
 Lemma room_pos l : Ecr m1 m2 a2 b < l -> 0 < room l.
 Proof.
   intros Hl. pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP.
@@ -185,29 +175,22 @@ Proof.
   assert (0 <= R0) by apply sqrt_pos. assert (LL ^ 2 < R0 * R0); [|assert (LL < R0) by nra; lra].
   rewrite R0sq. apply Rmult_lt_reg_r with a2; auto. unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. nra.
 Qed.
-(** so is the stay *)
 Lemma outing_pos l : Ecr m1 m2 a2 b < l -> 0 < outing l.
 Proof.
   intros Hl. pose proof (room_pos l Hl) as G. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP.
     apply Rdiv_lt_0_compat; auto.
   apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; [lra|]. unfold room in G. lra.
 Qed.
-(** and the toll *)
 Lemma toll_pos l : Ecr m1 m2 a2 b < l -> 0 < toll l.
 Proof.
-  intros Hl. pose proof (room_pos l Hl) as G. pose proof (outing_pos l Hl) as O. pose proof kap_pos as K.
-  assert (0 < a2 / m1) by positive. assert (0 < outing l ^ 2) by positive.
-  apply Rmin_glb_lt; [|apply Rdiv_lt_0_compat; [auto|fold M; fold kap; lra]].
-  assert (0 < b * (a2 / m1 * room l) * outing l ^ 2); [|lra]. apply Rmult_lt_0_compat; auto.
-  apply Rmult_lt_0_compat; auto. positive.
+  intros Hl. pose proof (room_pos l Hl) as G. pose proof (outing_pos l Hl) as O.
+  apply Rmin_glb_lt; [|apply Rdiv_lt_0_compat; [auto|fold M; fold kap; lra]]. positive.
 Qed.
 
-(** and the time is not negative *)
 Lemma spell_pos e l : Ecr m1 m2 a2 b < l -> 0 <= spell e l.
 Proof.
-  intros Hl. pose proof (outing_pos l Hl) as O. pose proof PI_RGT_0. pose proof (sqrt_pos (2 * e * m2)).
-  assert (0 < 2 * PI / omega m1 m2 a2) by positive. assert (0 <= 2 * sqrt (2 * e * m2) / b) by positive.
-    unfold spell. lra.
+  intros Hl. pose proof (outing_pos l Hl) as O. pose proof PI_RGT_0. assert (0 < 2 * PI / omega m1 m2 a2) by positive.
+  assert (0 <= 2 * sqrt (2 * e * m2) / b) by positive. unfold spell. lra.
 Qed.
 
 (** while the energy stays above l > E_cr, each such time costs the toll *)
@@ -215,20 +198,15 @@ Theorem toll_paid e l T : Ecr m1 m2 a2 b < l -> 0 <= T -> E T <= e -> l <= E (T 
   E (T + spell e l) <= E T - toll l.
 Proof.
   intros Hl HT He HlW. apply Rnot_lt_le. intros NP. pose proof (room_pos l Hl) as Hg.
-    pose proof (outing_pos l Hl) as Htau.
-  pose proof (toll_pos l Hl) as Hd. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP. pose proof kap_pos as Hkp.
-  set (W := spell e l) in *. set (d := toll l) in *. set (tau := outing l) in *.
-  set (e0 := b * (a2 / m1 * room l) * tau ^ 2 / 8).
+  pose proof (outing_pos l Hl) as Htau. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP. set (W := spell e l) in *.
+  set (d := toll l) in *. set (tau := outing l) in *. set (e0 := b * (a2 / m1 * room l) * tau ^ 2 / 8).
   assert (Hd1 : d <= e0 / 2) by apply Rmin_l. assert (Hd2 : d <= room l / (2 * kap)) by apply Rmin_r.
   set (g := room l) in *. set (R0 := sqrt (2 * l / a2)). set (LL := L m1 m2 a2 b) in *.
   assert (Eg : R0 = LL + 4 * g) by (unfold g, room; fold LL R0; field). assert (R0sq : R0 * R0 = 2 * l / a2).
-  { apply sqrt_sqrt. apply Rlt_le, Rdiv_lt_0_compat; auto. pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. fold LL in EL.
-    nra. }
-  set (z := Rmin 1 (2 * g / R0)). assert (Ez : tau = z / om) by reflexivity.
-  assert (Hz1 : z <= 1) by apply Rmin_l. assert (Hz2 : z <= 2 * g / R0) by apply Rmin_r.
-  assert (Hz : 0 < z) by positive.
-  assert (Hz3 : R0 * z <= 2 * g). { replace (2 * g) with (R0 * (2 * g / R0)) by (field; lra).
-    apply Rmult_le_compat_l; lra. }
+  { apply sqrt_sqrt. apply Rlt_le, Rdiv_lt_0_compat; auto. pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. nra. }
+  set (z := Rmin 1 (2 * g / R0)). assert (Ez : tau = z / om) by reflexivity. assert (Hz1 : z <= 1) by apply Rmin_l.
+  assert (Hz2 : z <= 2 * g / R0) by apply Rmin_r. assert (Hz3 : R0 * z <= 2 * g). {
+  replace (2 * g) with (R0 * (2 * g / R0)) by (field; lra). apply Rmult_le_compat_l; lra. }
   assert (Hd3 : kap * d <= g / 2). { replace (g / 2) with (kap * (g / (2 * kap))) by (field; lra).
     apply Rmult_le_compat_l; lra. }
   destruct (contact m1 m2 0 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s T H HT) as (tc & Htc & Ev).
@@ -263,13 +241,11 @@ Proof.
       apply Rmult_le_compat_l; lra. }
     pose proof (cos_below (om * (u - ts)) ltac:(lra)) as CB.
     set (q := cos (om * (u - ts))) in *. set (zu := om * (u - ts)) in *. assert (zu ^ 2 <= z).
-    { replace (zu ^ 2) with (zu * zu) by ring. apply Rle_trans with (zu * 1); [scale|lra]. }
-    assert (Q : R0 - g <= R * q). { assert (1 - z / 2 <= q) by lra. assert (0 < 1 - z / 2) by lra.
-      assert (R0 * (1 - z / 2) <= R * q) by (apply Rmult_le_compat; lra). lra. }
-    apply Rabs_inv in Qu. unfold g in *. lra. }
+    { apply Rle_trans with (zu * 1); [scale|lra]. }
+    assert (Q : R0 - g <= R * q). { assert (R0 * (1 - z / 2) <= R * q) by (apply Rmult_le_compat; lra). lra. }
+    apply Rabs_inv in Qu. lra. }
   pose proof (outside_costs ts tau g ltac:(lra) Htau Hg Out) as Cost. fold e0 in Cost.
-  destruct (High ts ltac:(lra)) as (_ & K1). destruct (High (ts + tau) ltac:(lra)) as (_ & K2).
-  assert (0 < e0); [|lra]. lra.
+  destruct (High ts ltac:(lra)) as (_ & K1). destruct (High (ts + tau) ltac:(lra)) as (_ & K2). lra.
 Qed.
 
 (** *** No level above E_cr is a limit *)

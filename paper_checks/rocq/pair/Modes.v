@@ -1,7 +1,7 @@
 (** Modes: stick, slip forwards, slip backwards. A motion changes its mode finitely often in bounded time if one mode
     lasts for a while after every time and before every time. *)
 From Coq Require Import Classical.
-From InertialPair Require Import Dini Pair Stick.
+From InertialPair Require Import Dini.
 
 (** between two times the pair sticks, or slips with one sign *)
 Definition one_mode (v1 v2 : R -> R) p q := (forall t, p < t < q -> v1 t = v2 t) \/

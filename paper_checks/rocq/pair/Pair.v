@@ -30,13 +30,11 @@ Proof.
   assert (Q : e / (Rabs q + 1) * Rabs q <= e).
   { replace e with (e / (Rabs q + 1) * (Rabs q + 1)) at 2 by (field; lra). scale. }
   destruct (Rtotal_order q 0) as [Lt|[Eq|Gt]].
-  - destruct (friction_order s' s w' w t H' H ltac:(unfold q in Lt; lra) _ He1) as (d & Hd & K).
-    exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rabs_left in * by auto.
-    set (e1 := e / (- q + 1)) in *. nra.
-  - exists 1; split; [lra|]. intros h Hh. rewrite Eq. nra.
-  - destruct (friction_order s s' w w' t H H' ltac:(unfold q in Gt; lra) _ He1) as (d & Hd & K).
-    exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rabs_pos_eq in * by lra.
-    set (e1 := e / (q + 1)) in *. nra.
+  - destruct (friction_order s' s w' w t H' H ltac:(unfold q in Lt; lra) _ He1) as (d & Hd & K). exists d; split; auto.
+    intros h Hh. specialize (K h Hh). rewrite Rabs_left in * by auto. nra.
+  - exists 1; split; [lra|]. intros h Hh. nra.
+  - destruct (friction_order s s' w w' t H H' ltac:(unfold q in Gt; lra) _ He1) as (d & Hd & K). exists d; split; auto.
+    intros h Hh. specialize (K h Hh). rewrite Rabs_pos_eq in * by lra. nra.
 Qed.
 
 (** the power of a friction of the strength b *)
@@ -51,8 +49,7 @@ Proof.
 Qed.
 
 Section Pair.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** [s] is the impulse of the set-valued sign, s t = int_0^t sigma: sigma in [-1,1] a.e. is [s_lip];
     sigma = +-1 a.e. on the open sets {v1 > v2}, {v1 < v2} is [s_pos], [s_neg]. *)
@@ -75,11 +72,10 @@ Lemma energy_increment x v1 v2 s t l : rderiv x t (v1 t) -> rderiv (fun r => m1 
   little (fun h => energy (x (t + h)) (v1 (t + h)) (v2 (t + h)) - energy (x t) (v1 t) (v2 t)
     - (l + a2 * x t) * v1 t * h + b * ((s (t + h) - s t) * (v1 t - v2 t))).
 Proof.
-  intros X V W S. unfold rderiv in X, V. set (ex := fun h => x (t + h) - x t - v1 t * h) in *.
+  intros X V W S. set (ex := fun h => x (t + h) - x t - v1 t * h) in *.
   set (ev := fun h => m1 * v1 (t + h) + b * s (t + h) - (m1 * v1 t + b * s t) - l * h) in *.
-  set (ds := fun h => s (t + h) - s t) in *.
-  set (dx := fun h => ex h + v1 t * h). set (dv := fun h => / m1 * (ev h + l * h - b * ds h)).
-  set (dw := fun h => b / m2 * ds h).
+  set (ds := fun h => s (t + h) - s t) in *. set (dx := fun h => ex h + v1 t * h).
+  set (dv := fun h => / m1 * (ev h + l * h - b * ds h)). set (dw := fun h => b / m2 * ds h).
   assert (BX : big dx) by (apply big_plus; [apply little_big; auto|apply big_scal, big_id]). assert (BV : big dv).
   { apply big_scal, big_minus; [|apply big_scal; auto]. apply big_plus; [apply little_big;
     auto|apply big_scal, big_id]. }
@@ -87,30 +83,26 @@ Proof.
   set (rest := fun h => a2 * x t * ex h + v1 t * ev h + a2 / 2 * (dx h * dx h) + m1 / 2 * (dv h * dv h)
     + m2 / 2 * (dw h * dw h)).
   assert (LR : little rest) by (unfold rest; repeat apply little_plus; apply little_scal; auto; apply big_mult; auto).
-  intros e He. destruct (LR e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
+  intros e He. destruct (LR e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
   match goal with |- Rabs ?y <= _ => replace y with (rest h); auto end.
   replace (x (t + h)) with (x t + dx h) by (unfold dx, ex; ring).
   replace (v1 (t + h)) with (v1 t + dv h) by (unfold dv, ev, ds; field; lra).
-  replace (v2 (t + h)) with (v2 t + dw h) by (specialize (W h ltac:(lra)); unfold dw, ds; lra).
-  unfold energy, rest. fold (ds h). unfold dx at 1 2, dv at 1 2, dw at 1 2. unfold dx, dv, dw. field. split; lra.
+  replace (v2 (t + h)) with (v2 t + dw h) by (specialize (W h ltac:(lra)); unfold dw, ds; lra). unfold energy, rest.
+  fold (ds h). unfold dx, dv, dw. field. split; lra.
 Qed.
 
-(** it is continuous along continuous functions *)
 Lemma energy_cont x v1 v2 : cont x -> cont v1 -> cont v2 -> cont (fun t => energy (x t) (v1 t) (v2 t)).
 Proof.
   intros. apply cont_ext with (fun t => a2 / 2 * (x t * x t) + m1 / 2 * (v1 t * v1 t) + m2 / 2 * (v2 t * v2 t)).
   { intros; unfold energy; field. } repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
 Qed.
 
-(** the energy is not negative *)
 Lemma energy_pos x v1 v2 : 0 <= energy x v1 v2.
-Proof. unfold energy. pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v1). pose proof (pow2_ge_0 v2). nra. Qed.
+Proof. unfold energy. positive. Qed.
 
-(** and 0 only at rest *)
 Lemma energy_zero x v1 v2 : energy x v1 v2 <= 0 -> x = 0 /\ v1 = 0 /\ v2 = 0.
 Proof.
-  unfold energy. intros E. pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v1). pose proof (pow2_ge_0 v2).
-  assert (x ^ 2 = 0) by nra. assert (v1 ^ 2 = 0) by nra. assert (v2 ^ 2 = 0) by nra.
+  unfold energy. intros E. assert (x ^ 2 = 0) by nra. assert (v1 ^ 2 = 0) by nra. assert (v2 ^ 2 = 0) by nra.
   repeat split; apply Rsqr_0_uniq; unfold Rsqr; lra.
 Qed.
 
@@ -141,7 +133,7 @@ Proof. intros P N k [->| ->] W; [apply P|apply N]; lra. Qed.
 Lemma solution_moves x v1 v2 s : solution x v1 v2 s <-> moves 1 (fun _ => 0) x v1 v2 s.
 Proof.
   assert (Z : forall t l, rderiv (fun r => m1 * v1 r + b * s r - 0) t l <-> rderiv (fun r => m1 * v1 r + b * s r) t l).
-  { intros t l. split; apply rderiv_ext; intros; ring. }
+  { split; apply rderiv_ext; intros; ring. }
   split; intros [].
   - constructor; auto using opposes_both; intros; [rewrite Rmult_1_l; auto|apply Z; auto].
   - constructor; auto; intros; [rewrite <- (Rmult_1_l (t - r)); auto|..|apply Z; auto].
@@ -153,18 +145,15 @@ Lemma solution_moving x v1 v2 s : solution x v1 v2 s -> moves 1 (fun _ => 0) x v
 Proof. apply solution_moves. Qed.
 
 Section One.
-Variables (c : R) (U x v1 v2 s : R -> R).
-Hypothesis H : moves c U x v1 v2 s.
+Context (c : R) (U x v1 v2 s : R -> R) (H : moves c U x v1 v2 s).
 Let E t := energy (x t) (v1 t) (v2 t).
 
 (** the impulse of friction moves by O(h) *)
 Lemma moves_big t : 0 <= t -> big (fun h => s (t + h) - s t).
 Proof.
   intros Ht. exists (Rabs c + 1), 1. pose proof (Rabs_pos c). repeat split; try lra. intros h Hh.
-  pose proof (q_lip _ _ _ _ _ _ H t (t + h) ltac:(lra)). pose proof (Rle_abs c).
-  replace (t + h - t) with h in * by ring. nra.
+  pose proof (q_lip _ _ _ _ _ _ H t (t + h) ltac:(lra)). pose proof (Rle_abs c). nra.
 Qed.
-(** it is continuous *)
 Lemma moves_cs : cont s.
 Proof.
   apply (lip_cont s c); [|apply (q_lip _ _ _ _ _ _ H)]. pose proof (q_lip _ _ _ _ _ _ H 0 1 ltac:(lra)).
@@ -177,7 +166,6 @@ Proof.
   apply Rmult_eq_reg_l with m2; [|lra]. replace (m2 * (b / m2 * (s t - s r))) with (b * (s t - s r)) by (field; lra).
   lra.
 Qed.
-(** continuously *)
 Lemma moves_cv2 : cont v2.
 Proof.
   apply cont_ext with (fun u => (v2 0 - b / m2 * s 0) + b / m2 * s u).
@@ -194,7 +182,6 @@ Proof.
   apply rderiv_eq with (/ m1 * (- (a2 * x t + a1 * v1 t) + u) - 0); [field; lra|].
   apply rderiv_minus; [|apply rderiv_const]. apply rderiv_scal, rderiv_plus; auto. apply (q_v1 _ _ _ _ _ _ H t Ht).
 Qed.
-(** and so it moves by O(h) *)
 Lemma moves_gap_big t u : 0 <= t -> rderiv U t u -> big (fun h => (v1 (t + h) - v2 (t + h)) - (v1 t - v2 t)).
 Proof.
   intros Ht HU. eapply big_ext; [|exact (big_minus _ _ (rderiv_big _ _ _ (moves_slip t u Ht HU))
@@ -215,27 +202,41 @@ Lemma moves_impulse r t k : 0 <= r <= t -> k = 1 \/ k = -1 -> (forall u, r <= u 
   s t - s r = k * (t - r).
 Proof. intros Hr Hk O. apply rderiv_line; auto using moves_cs. intros u Hu. apply (q_slip _ _ _ _ _ _ H); auto; lra.
 Qed.
+(** while spring, damper and force ask at most b of friction in a direction no slip that way begins *)
+Lemma moves_behind r t k : 0 <= r <= t -> k = 1 \/ k = -1 -> k * (v1 r - v2 r) <= 0 -> (forall q, r <= q < t -> exists f,
+  dini_le (fun y => k * U y) q f /\ m2 * (f - k * (a2 * x q + a1 * v1 q)) <= b * (m1 + m2)) -> k * (v1 t - v2 t) <= 0.
+Proof.
+  intros Hr Hk W L. apply le_epsilon. intros e He. rewrite Rplus_0_l.
+  apply (barrier_until (fun y => k * (v1 y - v2 y)) e r t); [|lra|lra|].
+  { apply cont_scal, cont_minus; [apply (q_cv _ _ _ _ _ _ H)|apply moves_cv2]. }
+  intros q Hq Pos. destruct (L q Hq) as (f & Du & Lf). set (o := b * ((m1 + m2) / m2)).
+  pose proof (dini_plus _ _ _ _ _ Du (rderiv_minus _ _ _ _ _ (rderiv_scal k _ _ _ (q_v1 _ _ _ _ _ _ H q ltac:(lra)))
+    (rderiv_scal (o * k) _ _ _ (q_slip _ _ _ _ _ _ H q ltac:(lra) k Hk ltac:(lra))))) as D.
+  assert (N : f + (k * - (a2 * x q + a1 * v1 q) - o * k * k) <= 0).
+  { apply Rmult_le_reg_l with m2; auto. replace (o * k * k) with o by (destruct Hk; subst k; ring).
+    replace (m2 * (f + _)) with (m2 * (f - k * (a2 * x q + a1 * v1 q)) - b * (m1 + m2)) by (unfold o; field; lra). lra. }
+  intros g Hg. destruct (D (m1 * g)) as (d & Hd & K); [positive|]. exists d. split; auto. intros h Hh. specialize (K h Hh).
+  pose proof (moves_v2 q (q + h) ltac:(lra) ltac:(lra)) as V. cbv beta in K |- *. apply Rmult_le_reg_l with m1; auto.
+  match type of K with ?l <= _ => replace (m1 * _) with l at 1 by (replace (v2 (q + h)) with (v2 q + b / m2 *
+    (s (q + h) - s q)) by lra; unfold o; field; lra) end. nra.
+Qed.
 
 (** the work of the force, of the damper and of friction *)
 Lemma moves_energy_rate t u : 0 <= t -> rderiv U t u -> rderiv E t (u * v1 t - a1 * v1 t ^ 2 - b * Rabs (v1 t - v2 t)).
 Proof.
   intros Ht HU. assert (V : rderiv (fun r => m1 * v1 r + b * s r) t (u - (a2 * x t + a1 * v1 t))).
   { eapply little_ext; [|exact (little_plus _ _ (q_v1 _ _ _ _ _ _ H t Ht) HU)]. intros h; simpl; ring. }
-  eapply little_ext; [|exact (little_minus _ _ (energy_increment x v1 v2 s t _ (q_x _ _ _ _ _ _ H t Ht) V
-    (fun h Hh => moves_v2 t (t + h) Ht ltac:(lra)) (moves_big t Ht))
-    (little_scal b _ (friction_power 1 s (v1 t - v2 t) t (fun k Hk W =>
-      rderiv_eq _ _ _ _ (eq_sym (Rmult_1_r k)) (q_slip _ _ _ _ _ _ H t Ht k Hk W)))))].
-  intros h. unfold E. cbv beta. ring.
+  eapply little_ext; [|exact (little_minus _ _ (energy_increment x v1 v2 s t _ (q_x _ _ _ _ _ _ H t Ht) V (fun h Hh =>
+    moves_v2 t (t + h) Ht ltac:(lra)) (moves_big t Ht)) (little_scal b _ (friction_power 1 s (v1 t - v2 t) t (fun k Hk W
+    => rderiv_eq _ _ _ _ (eq_sym (Rmult_1_r k)) (q_slip _ _ _ _ _ _ H t Ht k Hk W)))))]. intros h. unfold E. ring.
 Qed.
-(** the energy is continuous *)
 Lemma moves_cE : cont E.
 Proof. pose proof moves_cv2. destruct H. apply energy_cont; auto. Qed.
 End One.
 
 (** *** Without a force: dE/dt = - b |v1 - v2| - a1 v1^2 at every time (right derivative) *)
 Section Free.
-Variables (c : R) (x v1 v2 s : R -> R).
-Hypothesis H : moves c (fun _ => 0) x v1 v2 s.
+Context (c : R) (x v1 v2 s : R -> R) (H : moves c (fun _ => 0) x v1 v2 s).
 Let E t := energy (x t) (v1 t) (v2 t).
 
 (** the work of friction, and of the damper *)
@@ -244,27 +245,24 @@ Proof.
   intros Ht. eapply rderiv_eq; [|exact (moves_energy_rate _ _ _ _ _ _ H t 0 Ht (rderiv_const 0 t))]. ring.
 Qed.
 
-(** so the energy never increases *)
 Lemma free_decreases r t : 0 <= r <= t -> E t <= E r.
 Proof.
   intros Hr. apply (rderiv_mono E r t (fun u => - b * Rabs (v1 u - v2 u) - a1 * v1 u ^ 2)); auto.
   { exact (moves_cE _ _ _ _ _ _ H). }
-  intros u Hu. split; [apply free_energy_rate; lra|]. pose proof (Rabs_pos (v1 u - v2 u)).
-    pose proof (pow2_ge_0 (v1 u)). nra.
+  intros u Hu. split; [apply free_energy_rate; lra|]. pose proof (Rabs_pos (v1 u - v2 u)). nra.
 Qed.
 
 (** a stay off S is short: the velocity of body 2 changes at a constant rate and is bounded by the energy *)
 Lemma free_dwell r t : 0 <= r <= t ->
   (forall u, r <= u < t -> v2 u < v1 u) \/ (forall u, r <= u < t -> v1 u < v2 u) ->
-  t - r <= 2 * sqrt (2 * (E r) * m2) / b.
+  t - r <= 2 * sqrt (2 * E r * m2) / b.
 Proof.
   intros Hr O. assert (T : s t - s r = 1 * (t - r) \/ s t - s r = -1 * (t - r)).
   { destruct O as [O|O]; [left|right]; apply (moves_impulse _ _ _ _ _ _ H); auto; intros u Hu; specialize (O u Hu);
       lra. }
   pose proof (free_decreases r t Hr) as De.
   assert (B : forall u, r <= u -> E u <= E r -> Rabs (m2 * v2 u) <= sqrt (2 * E r * m2)).
-  { intros u _ Hu. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr.
-    unfold E at 1, energy in Hu. pose proof (pow2_ge_0 (x u)). pose proof (pow2_ge_0 (v1 u)).
+  { intros u _ Hu. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. unfold E at 1, energy in Hu.
     assert (m2 * v2 u ^ 2 <= 2 * E r) by nra. replace (m2 * v2 u * (m2 * v2 u)) with (m2 * v2 u ^ 2 * m2) by ring.
     apply Rmult_le_compat_r; lra. }
   pose proof (B r ltac:(lra) ltac:(lra)) as B1. pose proof (B t ltac:(lra) De) as B2.
@@ -310,11 +308,9 @@ Qed.
 
 (** *** Two motions *)
 Section Two.
-Variables U U' x v1 v2 s x' v1' v2' s' : R -> R.
-Hypotheses (H : moves 1 U x v1 v2 s) (H' : moves 1 U' x' v1' v2' s').
+Context (U U' x v1 v2 s x' v1' v2' s' : R -> R) (H : moves 1 U x v1 v2 s) (H' : moves 1 U' x' v1' v2' s').
 Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
 
-(** the energy distance is continuous *)
 Lemma moves_cD : cont D.
 Proof.
   apply energy_cont; apply cont_minus; [apply (q_cx _ _ _ _ _ _ H)|apply (q_cx _ _ _ _ _ _ H')|apply (q_cv _ _ _ _ _ _ H)|
@@ -342,13 +338,9 @@ Proof.
     { intros V1 y w1 w2 z [L P _ _ _ _ _]. split; [|auto]. intros h Hh. apply Rabs_inv.
       replace h with (1 * (t + h - t)) at 2 by ring. apply L. lra. }
     destruct (friction_monotone s s' _ _ t (Pu _ _ _ _ _ H) (Pu _ _ _ _ _ H') (e / (2 * b))) as (d2 & Hd2 & K2);
-      [positive|].
-    smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). cbv beta in K1.
+      [positive|]. smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
     apply Rabs_inv in K1. apply Rmult_le_compat_l with (r := b) in K2; [|lra].
-    replace (b * (- (e / (2 * b)) * h)) with (- (e / 2) * h) in K2 by (field; lra).
-    match type of K1 with _ <= _ + b * ?f <= _ => match type of K2 with _ <= b * ?g => replace f with g in K1 by ring
-      end end.
-    unfold D. lra.
+    replace (b * (- (e / (2 * b)) * h)) with (- (e / 2) * h) in K2 by (field; lra). unfold D. lra.
 Qed.
 
 (** *** Contraction in the energy norm: under one force the distance never grows *)
@@ -357,8 +349,7 @@ Proof.
   intros E Hr. apply dini_mono; auto using moves_cD. intros u Hu e He. assert (Z : rderiv (fun r => U r - U' r) u 0).
   { apply rderiv_ext with (fun _ => 0); [intros q _; rewrite E; ring|apply rderiv_const]. }
   destruct (moves_D_dini u 0 ltac:(lra) Z e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-  specialize (K h Hh). pose proof (pow2_ge_0 (v1 u - v1' u)). assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h); [|lra].
-  apply Rmult_le_pos; [positive|lra].
+  specialize (K h Hh). assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h); [|lra]. apply Rmult_le_pos; [positive|lra].
 Qed.
 End Two.
 
@@ -383,8 +374,7 @@ Qed.
 
 (** *** Energy: dE/dt = - b |v1 - v2| - a1 v1^2 at every time (right derivative) *)
 Section Solution.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution x v1 v2 s).
 Let E t := energy (x t) (v1 t) (v2 t).
 Let Mo := solution_moving _ _ _ _ H.
 
@@ -394,11 +384,6 @@ Proof. exact (free_energy_rate _ _ _ _ _ Mo t). Qed.
 (** [energy-decreases] The energy never increases, with or without damping. *)
 Theorem energy_decreases r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (free_decreases _ _ _ _ _ Mo r t). Qed.
-(** [bounded-stay] A stay off $S$ lasts at most $2\sqrt{2Em_2}/b$. *)
-Theorem dwell r t : 0 <= r <= t ->
-  (forall u, r <= u < t -> v2 u < v1 u) \/ (forall u, r <= u < t -> v1 u < v2 u) ->
-  t - r <= 2 * sqrt (2 * E r * m2) / b.
-Proof. exact (free_dwell _ _ _ _ _ Mo r t). Qed.
 End Solution.
 End Pair.
 

@@ -4,8 +4,7 @@
 From InertialPair Require Import Dini Pair.
 
 Section Contact.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** every trajectory meets S again, within a bounded time, or it would stay off S for longer than that *)
 Lemma moves_contact c x v1 v2 s T : moves m1 m2 a1 a2 b c (fun _ => 0) x v1 v2 s -> 0 <= T ->
@@ -32,8 +31,7 @@ Proof. intros H. apply solution_moves in H. exact (moves_contact 1 x v1 v2 s T H
 End Contact.
 
 Section Stick.
-Variables m1 m2 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** *** The stuck ellipse (a1 = 0) *)
 Definition omega := sqrt (a2 / (m1 + m2)).
@@ -46,23 +44,18 @@ Definition X x0 v0 t := x0 * cos (omega * t) + v0 / omega * sin (omega * t).
 (** and its speed *)
 Definition V x0 v0 t := v0 * cos (omega * t) - x0 * omega * sin (omega * t).
 
-(** the frequency is positive *)
 Lemma omega_pos : 0 < omega.
 Proof. apply sqrt_lt_R0, Rdiv_lt_0_compat; lra. Qed.
-(** its square *)
 Lemma omega_sq : omega * omega = a2 / (m1 + m2).
 Proof. apply sqrt_sqrt, Rlt_le, Rdiv_lt_0_compat; lra. Qed.
-(** the half width is positive *)
 Lemma L_pos : 0 < L.
 Proof. unfold L; apply Rdiv_lt_0_compat; nra. Qed.
 (** E_cr is the spring's energy at the half width *)
 Lemma Ecr_L : Ecr = a2 * L ^ 2 / 2.
 Proof. unfold Ecr, L; field; lra. Qed.
 
-(** the speed is the place's derivative *)
 Lemma derive_X x0 v0 t : is_derive (X x0 v0) t (V x0 v0 t).
 Proof. pose proof omega_pos. unfold X, V. auto_derive; auto. field; lra. Qed.
-(** and the acceleration that of an oscillator *)
 Lemma derive_V x0 v0 t : is_derive (V x0 v0) t (- (omega * omega) * X x0 v0 t).
 Proof. pose proof omega_pos. unfold X, V. auto_derive; auto. field; lra. Qed.
 

@@ -4,8 +4,7 @@
 From InertialPair Require Import Dini PaidRates Pair Stick Pursuit.
 
 Section Turned.
-Variables m1 m2 a2 c : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hc : 0 < c).
+Context (m1 m2 a2 c : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hc : 0 < c).
 Variables x v1 v2 : R -> R.
 Let M := m1 + m2.
 Let om := omega m1 m2 a2.

@@ -3,8 +3,7 @@
 From InertialPair Require Import Dini Pair Stick.
 
 Section Captive.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
 Let Mp : 0 < M. Proof. unfold M; lra. Qed.
 (** at or below the captive level, S is met only inside the strip |a2 x + a1 v| <= b M / m2 *)
@@ -24,8 +23,7 @@ Proof.
 Qed.
 
 Section One.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution m1 m2 a1 a2 b x v1 v2 s.
+Context (x v1 v2 s : R -> R) (H : solution m1 m2 a1 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Let w t := v1 t - v2 t.
 
@@ -40,7 +38,6 @@ Proof.
   field; lra.
 Qed.
 
-(** at or below the captive level |v1 - v2| does not grow *)
 Lemma gap_rate t : 0 <= t -> captive (E t) -> dini_le (fun u => w u * w u) t 0.
 Proof.
   intros Ht C. pose proof (captive_load _ _ _ C) as Q. fold M in Q.
@@ -94,23 +91,12 @@ Proof.
   exists t0; split; auto. apply captive_sticks; auto; [lra|]. apply captive_less with (E T); auto. apply E_mono; lra.
 Qed.
 
-(** [one-body] While stuck the pair moves as one damped body. *)
-Theorem one_body t0 : (forall t, t0 <= t -> v1 t = v2 t) -> forall t, 0 <= t -> t0 <= t ->
-  rderiv x t (v1 t) /\ rderiv (fun u => (m1 + m2) * v1 u) t (- (a2 * x t + a1 * v1 t)).
-Proof.
-  intros W t Ht Hu. split; [apply (s_x _ _ _ _ _ _ _ _ _ H); auto|].
-  apply rderiv_ext with (fun u => (m1 * v1 u + b * s u) + (m2 * v2 0 - b * s 0)).
-  { intros r Hr. pose proof (s_v2 _ _ _ _ _ _ _ _ _ H r ltac:(lra)) as Q. pose proof (W r ltac:(lra)) as Z.
-    rewrite <- Z in Q. lra. }
-  eapply rderiv_eq; [|apply rderiv_plus; [apply (s_v1 _ _ _ _ _ _ _ _ _ H t Ht)|apply rderiv_const]]. ring.
-Qed.
 End One.
 End Captive.
 
 (** ** a1 > 0 *)
 Section Viscous.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
 Let Mp : 0 < M. Proof. unfold M; lra. Qed.
 Let energy := energy m1 m2 a2.

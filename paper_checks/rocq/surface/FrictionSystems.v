@@ -2,7 +2,7 @@
   number
     of directions, chains, a surface; the dampers C may be any monotone ones. M^-1 is written as an operator of its own.
       *)
-From InertialPair Require Import Dini Pair Stick Forced MonotoneInclusion.
+From InertialPair Require Import Dini Pair Forced MonotoneInclusion.
 
 Section Systems.
 Context {V W : ModuleSpace R_AbsRing}.
@@ -150,8 +150,7 @@ End Systems.
 
 (** *** The pair is the instance with one direction *)
 Section OnePair.
-Variables m1 m2 a1 a2 b : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 (** states (x, v1, v2) *)
 Definition pair_ip (y z : R * R * R) := a2 * (fst (fst y) * fst (fst z)) + m1 * (snd (fst y) * snd (fst z)) + m2 * (snd
   y * snd z).

@@ -3,7 +3,7 @@
       the
     inner product need not be definite. Two motions never part, and defects add up; friction that brakes has a finite
       path. *)
-From InertialPair Require Import Dini PaidRates Pair Stick Forced.
+From InertialPair Require Import Dini PaidRates Forced.
 
 (** *** The space *)
 
@@ -16,8 +16,7 @@ Record inner {Y : ModuleSpace R_AbsRing} (ip : Y -> Y -> R) : Prop := {
 
 Section Space.
 Context {Y : ModuleSpace R_AbsRing}.
-Variable ip : Y -> Y -> R.
-Hypothesis In : inner ip.
+Context (ip : Y -> Y -> R) (In : inner ip).
 
 (** the norm *)
 Definition norm y := sqrt (ip y y).
@@ -48,7 +47,6 @@ Record driven (A : Y -> Y) (G P y : R -> Y) : Prop := {
 (** and the friction is a subgradient of phi *)
 Definition motion A phi G P y := driven A G P y /\ forall t, 0 <= t -> drags phi P (y t) t.
 
-(** algebra *)
 Lemma ip_opp y z : ip (opp y) z = - ip y z.
 Proof.
   rewrite <- (scal_opp_one y). rewrite (ip_scal _ In). change (opp one * ip y z = - ip y z). unfold opp, one; simpl.
@@ -135,7 +133,6 @@ Proof.
   rewrite Q, (Ey h (y t)). field.
 Qed.
 
-(** the energy is continuous *)
 Lemma cont_energy y : vcont y -> cont (fun t => ip (y t) (y t) / 2).
 Proof.
   intros C. assert (N : cont (fun t => norm (y t))).
@@ -159,7 +156,6 @@ Proof.
   rewrite !ip_minus in *. lra.
 Qed.
 
-(** a bounded friction has increments O(h) *)
 Lemma driven_big A G P y t : driven A G P y -> 0 <= t -> big (fun h => norm (minus (P (t + h)) (P t))).
 Proof.
   intros [(K & L) _ _] Ht. pose proof (Rabs_pos K). exists (Rabs K + 1), 1. repeat split; try lra. intros h Hh.

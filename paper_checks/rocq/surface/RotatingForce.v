@@ -3,8 +3,7 @@
 From InertialPair Require Import Dini EnergyLimit.
 
 Section Rotating.
-Variables m1 m2 a1 a2 b om : R.
-Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
+Context (m1 m2 a1 a2 b om : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
 
 (** |D|^2 and |D_M|^2 of the dynamic stiffness of body 1 and of the stuck pair *)
 Definition stiffness m := (a2 - m * om ^ 2) ^ 2 + (a1 * om) ^ 2.

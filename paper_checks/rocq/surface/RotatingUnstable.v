@@ -1,6 +1,6 @@
 (** A slip that turns with the force, under a friction that depends on the speed: where more slip needs less force,
     X(0) < 0, the linearised equations in turning axes have a solution that grows like exp (lam t), lam > 0. *)
-From InertialPair Require Import Dini Stick RotatingForce.
+From InertialPair Require Import Dini RotatingForce.
 
 Section Unstable.
 Variables m1 m2 a1 a2 f f' rho om : R.
@@ -95,7 +95,6 @@ Proof.
   split; apply Rabs_le; lra.
 Qed.
 
-(** so the determinant is positive there *)
 Lemma X_far : exists l, 0 < l /\ 0 < X l.
 Proof.
   set (C := 4 / m1 + 1 / m2). assert (Cp : 0 < C) by (unfold C; apply Rplus_lt_0_compat; positive).

@@ -5,8 +5,7 @@ From InertialPair Require Import Dini MonotoneInclusion EnergyLimit.
 
 Section Ellipse.
 Context {Y : ModuleSpace R_AbsRing}.
-Variable ip : Y -> Y -> R.
-Hypothesis In : inner ip.
+Context (ip : Y -> Y -> R) (In : inner ip).
 Variables q p : Y.
 
 (** the stuck motion with the place q and the velocity p (in units of the frequency) at the phase 0 *)
@@ -19,7 +18,7 @@ Let B := ip p p.
 Let C := ip q p.
 Let R0 := sqrt ((A - B) ^ 2 + 4 * C ^ 2).
 Let R0_sq : R0 * R0 = (A - B) ^ 2 + 4 * C ^ 2.
-Proof. apply sqrt_sqrt. pose proof (pow2_ge_0 (A - B)). pose proof (pow2_ge_0 C). lra. Qed.
+Proof. apply sqrt_sqrt. positive. Qed.
 Let R0_pos : 0 <= R0 := sqrt_pos _.
 
 (** the load along it, by the double angle *)
@@ -39,26 +38,12 @@ Proof.
   { intros th. rewrite <- (norm_sq ip In). pose proof (norm_pos ip (ellipse th)). split; intros; nra. }
   unfold semi_major_square. fold A B C R0. split; intros K.
   - destruct (Req_dec R0 0) as [Z|N].
-    + specialize (K 0). apply Sq in K. rewrite ellipse_square, Rmult_0_r, cos_0, sin_0 in K. rewrite Z.
-      assert (A - B = 0); [|lra]. apply Rsqr_0_uniq. unfold Rsqr. pose proof (pow2_ge_0 (A - B)). pose proof (pow2_ge_0
-        C).
-      rewrite Z in R0_sq. lra.
+    + specialize (K 0). apply Sq in K. rewrite ellipse_square, Rmult_0_r, cos_0, sin_0 in K. assert (A - B = 0); [|lra].
+      apply Rsqr_0_uniq. unfold Rsqr. pose proof (pow2_ge_0 (A - B)). pose proof (pow2_ge_0 C). rewrite Z in R0_sq. lra.
     + destruct (polar (A - B) (2 * C) R0 2 0) as (th & _ & Ec & Es); [lra|lra|replace (R0 ^ 2) with (R0 * R0) by ring;
-        rewrite R0_sq; ring|].
-      specialize (K th). apply Sq in K. rewrite ellipse_square in K.
-      assert (E : (A - B) * cos (2 * th) + 2 * C * sin (2 * th) = R0).
-      { apply Rmult_eq_reg_l with R0; auto. pose proof (sin2_cos2 (2 * th)) as SC. unfold Rsqr in SC.
-        replace (R0 * ((A - B) * cos (2 * th) + 2 * C * sin (2 * th))) with ((A - B) * (R0 * cos (2 * th)) + 2 * C * (R0
-          * sin (2 * th))) by ring. rewrite Ec, Es. lra. }
-      lra.
+        rewrite R0_sq; ring|]. specialize (K th). apply Sq in K. rewrite ellipse_square in K. nra.
   - intros th. apply Sq. rewrite ellipse_square. pose proof (sin2_cos2 (2 * th)) as SC. unfold Rsqr in SC.
-    set (c := cos (2 * th)) in *. set (s := sin (2 * th)) in *. assert (Q : (A - B) * c + 2 * C * s <= R0); [|lra].
-    apply Rnot_lt_le. intros N. pose proof (pow2_ge_0 ((A - B) * s - 2 * C * c)).
-    assert (((A - B) * c + 2 * C * s) ^ 2 + ((A - B) * s - 2 * C * c) ^ 2 = R0 * R0).
-    { rewrite R0_sq. replace (((A - B) * c + 2 * C * s) ^ 2 + ((A - B) * s - 2 * C * c) ^ 2) with (((A - B) ^ 2 + 4 * C
-      ^ 2) * (s * s
-        + c * c)) by ring. rewrite SC. ring. }
-    nra.
+    set (c := cos (2 * th)) in *. set (s := sin (2 * th)) in *. pose proof (pow2_ge_0 ((A - B) * s - 2 * C * c)). nra.
 Qed.
 
 (** [plane-stuck-energies] On a stuck ellipse the load stays within isotropic friction always up to $E_{cr}$, never
@@ -70,15 +55,11 @@ Theorem stuck_energies L : 0 <= L ->
   (A = B /\ C = 0 -> ((forall th, norm ip (ellipse th) <= L) <-> A + B <= 2 * L ^ 2)).
 Proof.
   intros HL. pose proof (ip_pos _ In q) as PA. pose proof (ip_pos _ In p) as PB. fold A in PA. fold B in PB.
-  pose proof (cauchy_abs ip In q p) as CS. fold C in CS. assert (C2 : C ^ 2 <= A * B).
+  pose proof (cauchy_abs ip In q p) as CS. assert (C2 : C ^ 2 <= A * B).
   { rewrite <- (pow2_abs C). unfold A, B. rewrite <- (norm_sq ip In q), <- (norm_sq ip In p). pose proof (Rabs_pos C).
     replace (norm ip q * norm ip q * (norm ip p * norm ip p)) with ((norm ip q * norm ip p) ^ 2) by ring. apply
       pow_incr; auto. }
-  rewrite (stuck_iff L HL). unfold semi_major_square. fold A B C R0. split; [|split; [|split]].
-  - intros E. assert (R0 <= A + B); [|lra]. apply Rnot_lt_le. intros N. nra.
-  - intros E. lra.
-  - intros E. assert (R0 = A + B); [|split; lra]. apply Rsqr_inj; [auto|lra|]. unfold Rsqr. rewrite R0_sq, E. ring.
-  - intros (E & Z). assert (R0 = 0); [|split; lra]. apply Rsqr_inj; [auto|lra|]. unfold Rsqr. rewrite R0_sq, E, Z. ring.
+  rewrite (stuck_iff L HL). unfold semi_major_square. fold A B C R0. nra.
 Qed.
 End Ellipse.
 
@@ -115,20 +96,22 @@ Theorem stuck_load m1 m2 a2 b (x y v w ax ay : R -> R) : 0 < m1 -> 0 < m2 -> 0 <
     a2 / 2 * (x 0 ^ 2 + y 0 ^ 2 + ((v 0 / om) ^ 2 + (w 0 / om) ^ 2)) /\
   a2 / 2 * L ^ 2 = b ^ 2 * (m1 + m2) ^ 2 / (2 * a2 * m2 ^ 2).
 Proof.
-  intros Hm1 Hm2 Ha2 Hb D N om L t. assert (Ho : 0 < om) by (apply sqrt_lt_R0; positive).
-  assert (O2 : om * om = a2 / (m1 + m2)) by (apply sqrt_sqrt, Rlt_le; positive). assert (HL : 0 < L) by (unfold L; positive).
-  assert (Ax : forall t, ax t = - (om * om) * x t) by (intros u; destruct (N u); rewrite O2; apply Rmult_eq_reg_l with (m1 + m2); [field_simplify|]; lra).
-  assert (Ay : forall t, ay t = - (om * om) * y t) by (intros u; destruct (N u); rewrite O2; apply Rmult_eq_reg_l with (m1 + m2); [field_simplify|]; lra).
+  intros Hm1 Hm2 Ha2 Hb D N om L t. assert (Ho : 0 < om) by positive.
+  assert (O2 : om * om = a2 / (m1 + m2)) by (apply sqrt_sqrt, Rlt_le; positive).
+  assert (HL : 0 < L) by (unfold L; positive). assert (Ax : forall t, ax t = - (om * om) * x t) by (intros u; destruct
+    (N u); rewrite O2; apply Rmult_eq_reg_l with (m1 + m2); [field_simplify|]; lra).
+  assert (Ay : forall t, ay t = - (om * om) * y t) by (intros u; destruct (N u); rewrite O2; apply Rmult_eq_reg_l with
+    (m1 + m2); [field_simplify|]; lra).
   assert (Dv : forall t, is_derive v t (- (om * om) * x t)) by (intros u; rewrite <- Ax; apply D).
   assert (Dw : forall t, is_derive w t (- (om * om) * y t)) by (intros u; rewrite <- Ay; apply D).
   split; [apply oscillator; auto; apply D|]. split; [apply oscillator; auto; apply D|]. split; [|split].
   - assert (E : sqrt ((m2 * ax t) ^ 2 + (m2 * ay t) ^ 2) = b / L * sqrt (x t ^ 2 + y t ^ 2)).
-    { assert (F : m2 * (om * om) = b / L) by (rewrite O2; unfold L; field; lra). assert (0 < b / L) by positive.
-      rewrite Ax, Ay, <- (sqrt_square (b / L)), <- sqrt_mult by (try positive; pose proof (pow2_ge_0 (x t)); pose proof (pow2_ge_0 (y t)); nra).
-      f_equal. rewrite <- F. ring. }
+    { assert (F : m2 * (om * om) = b / L) by (rewrite O2; unfold L; field; lra).
+      rewrite Ax, Ay, <- (sqrt_square (b / L)), <- sqrt_mult by (try positive; pose proof (pow2_ge_0 (x t)); pose proof
+        (pow2_ge_0 (y t)); nra). f_equal. rewrite <- F. ring. }
     rewrite E. assert (Q : forall z, b / L * z <= b <-> z <= L).
-    { intros z. split; intros Z; [apply Rmult_le_reg_l with (b / L); [positive|]|apply Rle_trans with (b / L * L); [scale; positive|right; field; lra]].
-      replace (b / L * L) with b by (field; lra). auto. } apply Q.
+    { split; intros Z; [apply Rmult_le_reg_l with (b / L); [positive|]|apply Rle_trans with (b / L * L); [scale;
+        positive|right; field; lra]]. replace (b / L * L) with b by (field; lra). auto. } apply Q.
   - assert (E : forall x v : R -> R, (forall t, is_derive x t (v t)) -> (forall t, is_derive v t (- (om * om) * x t)) ->
       a2 * x t ^ 2 / 2 + (m1 + m2) * v t ^ 2 / 2 = a2 * x 0 ^ 2 / 2 + (m1 + m2) * v 0 ^ 2 / 2).
     { clear - O2 Hm1 Hm2 Ha2. intros x v X V. assert (Z : forall u, is_derive (fun t => a2 * x t ^ 2 / 2 + (m1 + m2) * v t ^ 2 / 2) u 0).

@@ -4,10 +4,8 @@ From Coq Require Import Reals QArith Qreals List.
 From Interval.Float Require Import Specific_ops Specific_stdz.
 From Interval.Interval Require Import Float_full.
 From Interval Require Import Tactic.
-From InertialPair Require Import Dini Pair Stick WellPosed Pursuit Forced ReturnMap TurningFunction Cycle Dichotomy
-  MergingByMassRatio Fading
-  Waves Trajectory
-  Velocities FirstAdhesion.
+From InertialPair Require Import Dini Pair Stick Pursuit TurningFunction Dichotomy MergingByMassRatio Fading Waves
+  Trajectory Velocities FirstAdhesion.
 Import ListNotations.
 
 Definition no_event := Event Stick (0, 0)%Q (0, 0)%Q (0, 0)%Q (0, 0)%Q.

@@ -2,7 +2,7 @@
     its events until t = 4.7 are those of Velocities.v): when the pair first sticks, for how long,
     and that it slips at t = 4.7, where the paper has it stick. *)
 From Coq Require Import QArith Qreals List.
-From InertialPair Require Import Dini Pair Pursuit Forced WellPosed Waves Trajectory Velocities.
+From InertialPair Require Import Dini Pair Pursuit Forced Waves Trajectory Velocities.
 Import ListNotations.
 
 (** slips at the head of a table: until they end the only contacts are those at their ends *)

@@ -4,8 +4,7 @@ From Coq Require Import Reals QArith Qreals List.
 From Interval.Float Require Import Specific_ops Specific_stdz.
 From Interval.Interval Require Import Float_full.
 From Interval Require Import Tactic.
-From InertialPair Require Import Dini Pair Stick Pursuit Forced BoundedMotions ModeAtContact Waves Trajectory
-  Velocities.
+From InertialPair Require Import Dini Pair Forced BoundedMotions ModeAtContact Waves Trajectory Velocities.
 Import ListNotations.
 
 Section Table.

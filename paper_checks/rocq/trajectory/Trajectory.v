@@ -81,8 +81,7 @@ Qed.
 
 (** *** Spells *)
 Section Spells.
-Variables M1 M2 A1 A2 : R.
-Hypotheses (Hm1 : 0 < M1) (Hm2 : 0 < M2) (Ha1 : 0 <= A1) (Ha2 : 0 < A2).
+Context (M1 M2 A1 A2 : R) (Hm1 : 0 < M1) (Hm2 : 0 < M2) (Ha1 : 0 <= A1) (Ha2 : 0 < A2).
 
 (** a motion of constant friction from a time on, along which x, v1 and v2 run for the time d *)
 Lemma forced_obeys B f U y w1 w2 s x v1 v2 S d : 0 < B -> 0 <= S -> forced M1 M2 A1 A2 B U y w1 w2 s ->
@@ -499,8 +498,7 @@ Proof.
 Qed.
 
 Section Kit.
-Variables (K : kit I.type) (k : kit R).
-Hypothesis HK : has_kit K k.
+Context (K : kit I.type) (k : kit R) (HK : has_kit K k).
 Lemma has_slide s T t X x V v : has T t -> has X x -> has V v ->
   has_parts (slide boxes K s T X V) (slide real k s t x v).
 Proof. intros. destruct HK. apply has_swing; auto. pose proof (has_signed s _ _ h_kb0). has. Qed.
@@ -916,13 +914,11 @@ Lemma on_side_Q d : on_side (d ?= 0)%Q (Q2R d).
 Proof.
   destruct (Qcompare_spec d 0); simpl; rewrite <- RMicromega.Q2R_0; [apply Qeq_eqR|apply Qlt_Rlt|apply Qlt_Rlt]; auto.
 Qed.
-(** a constant force has one value *)
 Lemma constant_spec g r s : constant g = true -> sval real (in_R g) r = sval real (in_R g) s.
 Proof.
   unfold constant. destruct g as [g [|c l] [|]]; try discriminate; cbn [tones poly tl]; intros E; [reflexivity|].
   unfold sval, in_R; cbn [tones poly from map fold_right]. rewrite !pval_cons, !vanishes_spec by auto. ring.
 Qed.
-(** a positive number is not 0 *)
 Lemma not_0 m : 0 < Q2R m -> ~ (m == 0)%Q.
 Proof. intros Hm E. apply Qeq_eqR in E. rewrite RMicromega.Q2R_0 in E. lra. Qed.
 Lemma fadeQ_spec m : 0 < Q2R m -> Q2R (fadeQ sc m) = fade (Q2R m) A1.
@@ -937,8 +933,7 @@ Proof.
 Qed.
 
 Section Motion.
-Variables x v1 x2 v2 : R -> R.
-Hypotheses (Cx2 : cont x2) (Dx2 : forall t, 0 <= t -> rderiv x2 t (v2 t)).
+Context (x v1 x2 v2 : R -> R) (Cx2 : cont x2) (Dx2 : forall t, 0 <= t -> rderiv x2 t (v2 t)).
 
 (** the bounds hold at the time t *)
 Definition knows B f st t := has (at_t st) t /\ has (at_x st) (x t) /\ has (at_v1 st) (v1 t) /\
@@ -973,7 +968,6 @@ Proof.
   - apply on_side_Q.
   - apply J.sqrt_correct, (I.abs_correct _ (Xreal (Q2R (squareQ sc (m1 sc))))), has_rat.
 Qed.
-(** of a stick *)
 Lemma has_joint F w : has_parts F w -> square w = stiffM k -> has_wave (Bounded F (sideM K) (rootM K)) w.
 Proof.
   assert (E0 : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto). assert (0 < Q2R (both sc)) by lra.
@@ -983,8 +977,7 @@ Proof.
 Qed.
 
 Section State.
-Variables (st : state) (t : R).
-Hypotheses (Kn : knows B f st t) (Ht : first <= t).
+Context (st : state) (t : R) (Kn : knows B f st t) (Ht : first <= t).
 Let pw m := match m with Slip s => slide real k s t (x t) (v1 t) | Stick => stuck real k t (x t) (v1 t) end.
 Let fw m k' := match m with Slip s => guard real k s t (x t) (v1 t) (v2 t) | Stick => grip real k k' t (x t) (v1 t) end.
 
@@ -1220,8 +1213,7 @@ End Spell.
 End Motion.
 
 Section Whole.
-Variables x v1 x2 v2 : R -> R.
-Hypotheses (Cx2 : cont x2) (Dx2 : forall t, 0 <= t -> rderiv x2 t (v2 t)).
+Context (x v1 x2 v2 : R -> R) (Cx2 : cont x2) (Dx2 : forall t, 0 <= t -> rderiv x2 t (v2 t)).
 Local Notation known := (knows x v1 x2 v2).
 
 (** inside the bounds *)
