@@ -1,20 +1,18 @@
-"""What theory states and what numerics does, where both speak: thresholds, transfers, ties."""
+"""What theory states and what numerics does, where both speak: thresholds and transfers."""
 
-import math
 from fractions import Fraction
 
 import pytest
 import sympy as sp
-from flint import acb, arb, fmpq
+from flint import acb, arb
 from hypothesis import given
 from strategies import MODERATE, decimals, pairs
 from theory_values import of_pair
 
-from numerics import Force, Pair, Piece, Scene, State, cheapest_transfer, fastest_transfer, solve
+from numerics import Pair, Scene, State, cheapest_transfer, fastest_transfer
 from numerics.arithmetic.precision import precision
-from numerics.control.response import response as response_of
 from numerics.control.thresholds import thresholds
-from theory import cheapest, forced
+from theory import cheapest
 from theory import forced_control as control
 from theory import forced_response as response
 from theory.symbols import a1, a2, b, m1, m2
@@ -66,19 +64,6 @@ def test_permanent_slip_begins_at_the_same_amplitude(pair, omega):
     assert close(thresholds(pair, omega).non_stop, value(squared, pair, **at).sqrt())
 
 
-@pytest.mark.parametrize("part", [Fraction(1, 50), Fraction(1, 2), Fraction(49, 50)])
-def test_the_two_stop_motion_meets_theorys_conditions(part):
-    """At the exit to slip +, under forces from next to U* to next to U**."""
-    omega, known = Fraction(5, 2), thresholds(HEAVY, Fraction(5, 2))
-    low, high = (Fraction(float(one)) for one in (known.entrainment, known.non_stop))
-    force = Force.sine(low + part * (high - low), omega)
-    legs = response_of(Scene(HEAVY, State(), 1, force=force), digits=20).orbit.legs
-    assert [one.side for one in legs] == [1, 0, -1, 0]
-    (x, v, *_), cosine = legs[0].state, force(Fraction(float(legs[0].start)))
-    letters = {"x_0": x, "v_0": v, "C": arb(cosine), "omega": omega}
-    assert abs(value(response.two_stop_conditions()[0], HEAVY, **letters)) < 1e-12
-
-
 @pytest.mark.parametrize("pair", [HEAVY, LIGHT])
 @pytest.mark.parametrize("by", [Fraction(1, 100), Fraction(1, 3)])
 def test_a_transfer_takes_theorys_time_and_amplitude(pair, by):
@@ -102,23 +87,3 @@ def test_a_weak_force_takes_the_time_of_both_arcs_and_the_least_energy_is_theory
     heavy = Pair(1, 1, 200, "0.5")
     far = value(cheapest.far_energy(), heavy, **{str(cheapest.beyond): Fraction("0.045")})
     assert 18.3 < far < cheapest_transfer(Scene(heavy, State(), until=1), "0.05", "1.2").cost < 1.1 * far
-
-
-@pytest.mark.parametrize("pair", [HEAVY, LIGHT])
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize("order", [1, 2, 3, 4])
-@pytest.mark.parametrize("side", [1, -1])
-def test_a_tie_is_decided_by_the_derivative_that_theory_names(pair, sign, order, side):
-    """The force is made so that p and its derivatives below an order vanish at the start, and that one has a side."""
-    at, coefficients = Fraction(3, 7), []
-    known = {"x1": Fraction(0), "v1": at}
-    for k in range(5):
-        # linear in each derivative of u
-        excess = forced.tie_derivative(sign, k) if k else forced.load() - sign * b
-        letter = str(forced.U_RATES[k - 1] if k else forced.u)
-        off, there = (of_pair(excess, pair, **known, **{letter: Fraction(one)}) for one in (0, 1))
-        known[letter] = (fmpq(side * (k == order), 5) - off) / (there - off)
-        coefficients.append(Fraction(int(known[letter].p), int(known[letter].q)) / math.factorial(k))
-    force = Force([Piece(0, coefficients)])
-    run = solve(Scene(pair, State(v1=at, v2=at), until="0.01", force=force), digits=20, arithmetic="ball")
-    assert run.signs[0] == (sign if sign * side > 0 else 0)

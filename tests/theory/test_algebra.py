@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import example, given, settings
 from strategies import trigonometric_quotients
-from sympy import Piecewise, Symbol, asin, cancel, cos, exp, expand, limit, pi, series, sin, sqrt
+from sympy import Piecewise, Symbol, asin, cancel, cos, exp, expand, limit, pi, series, sin
 
 from theory import excursion, power_series
 from theory.fraction import factored, in_lowest_terms
@@ -46,13 +46,6 @@ def test_series_of_quotients_of_trigonometric_polynomials(expression):
 @pytest.mark.parametrize("expression", [free / (2 + free * theta), asin(theta), exp(theta) / (1 + theta), theta**7])
 def test_series_of_anything_else_are_those_of_sympy(expression):
     assert expand(taylor(expression, theta, 6) - by_sympy(expression, theta, 6)) == 0
-
-
-def test_a_series_is_composed():
-    inner = theta + free * theta**2 - theta**3 / (1 + q)
-    for outer in (asin(theta), sqrt(1 + theta)):
-        found = power_series.composed(outer, theta, 6, inner)
-        assert cancel(found - by_sympy(outer.subs(theta, inner), theta, 6)) == 0
 
 
 def test_a_pole_is_no_polynomial_and_the_zero_of_a_denominator_takes_orders_away():

@@ -8,11 +8,9 @@ from dataclasses import replace
 import pytest
 from sympy import Rational, S, exp, simplify
 
-from theory import closed_forms, filippov, model, scaling
+from theory import closed_forms, model, scaling
 from theory.closed_forms import DampingRegime, rate
 from theory.symbols import (
-    V1,
-    X,
     a1,
     a2,
     acceleration1,
@@ -20,8 +18,6 @@ from theory.symbols import (
     b,
     m1,
     m2,
-    q,
-    r,
     sgn,
     t,
     total_mass,
@@ -29,7 +25,6 @@ from theory.symbols import (
     v1,
     v2,
     x1,
-    zeta,
 )
 
 NUMBERS = {m1: Rational(3, 2), m2: Rational(2, 3), a1: Rational(1, 7), a2: S(5), b: Rational(3, 4), u: S(0)}
@@ -64,22 +59,6 @@ def test_a_branch_solves_the_closed_form_where_its_signs_hold_and_nowhere_else(n
     assert not any(satisfies(name, state) for state in elsewhere)
 
 
-@pytest.mark.parametrize(
-    ("state", "part"),
-    [
-        ((EDGE, 1, 1), "sliding"),
-        ((EDGE, 1, 1), "ray_plus"),
-        ((-EDGE, -1, -1), "ray_minus"),
-        ((2 * EDGE, 1, 1), "plus"),
-        ((-2 * EDGE, 1, 1), "minus"),
-    ],
-)
-def test_parts_of_the_surface(state, part):
-    condition = getattr(filippov.surface(), part).subs(NUMBERS)
-    for more, holds in ((0, True), (1, False)):
-        assert bool(condition.subs({x1: state[0], v1: state[1] + more, v2: state[2]})) is holds
-
-
 @pytest.mark.parametrize("mode", ["stick", "slip+", "slip-"])
 @REGIMES
 def test_the_exact_solution_leaves_nothing(mode, regime):
@@ -99,23 +78,6 @@ def test_every_fault_in_it_leaves_something(regime):
     assert all(set(closed_forms.residual(fault)) != {0} for fault in faults)
 
 
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize("damped", [False, True])
-def test_the_rate_of_the_excess_is_that_along_the_reduced_field(sign, damped):
-    along = filippov.derivative_along(filippov.phi(sign, damped), scaling.to_si(scaling.reduced_energy()))
-    assert simplify(scaling.to_si(scaling.excess_rate(sign, damped)) * scaling.stick_frequency() - along) == 0
-    field = [V1, -(X + 2 * int(damped) * zeta * V1 + r * sign) / q, sign]
-    assert all(simplify(one - two) == 0 for one, two in zip(scaling.reduced_slip(sign, damped), field, strict=True))
-
-
 def test_the_canonical_pair_has_unit_length_frequency_and_mass():
     for size in (scaling.half_width(), scaling.stick_frequency(), total_mass()):
         assert simplify(size.subs(scaling.canonical_pair(), simultaneous=True)) == 1
-
-
-@pytest.mark.parametrize("damped", [False, True])
-def test_manifest_signs(damped):
-    signs = filippov.manifest_signs(damped)
-    assert all(signs["plus", sign].is_negative and signs["minus", sign].is_positive for sign in (1, -1))
-    assert signs["sliding", 1].is_nonpositive
-    assert signs["sliding", -1].is_nonnegative

@@ -63,11 +63,6 @@ def plus(term: Any) -> Callable[..., Any]:
     return changed(lambda one: one + term)
 
 
-def without(*symbols: Any) -> Callable[..., Any]:
-    """Return a fault that drops the terms with these symbols."""
-    return changed(lambda one: one.subs(dict.fromkeys(symbols, 0)))
-
-
 def other_sign(original: Callable[..., Any]) -> Callable[..., Any]:
     """The field, rate or branch of the other half-space."""
     return lambda sign, *arguments, **named: original(-sign, *arguments, **named)

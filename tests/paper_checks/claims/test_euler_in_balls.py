@@ -3,15 +3,12 @@
 from dataclasses import replace
 from fractions import Fraction
 
-import numpy as np
 import pytest
 
 from numerics import Pair, Scene, State, load_scene
 from numerics.trade.forward_euler import forward_euler
-from paper_checks.claims.beyond.euler_error import ALLOWED, LATEST, SHOWS, shows_adhesion
 from paper_checks.claims.section_4 import euler
 from paper_checks.decide import euler_in_balls as decide_euler
-from paper_checks.decide.enclosure import solved
 from paper_checks.decide.euler_in_balls import euler_in_balls, run
 from paper_checks.evidence.finding import Verdict
 
@@ -43,24 +40,3 @@ def test_many_steps_at_once_are_as_many_steps(name, monkeypatch):
     assert (jumped.contact, jumped.chatter, jumped.adhesion) == (single.contact, single.chatter, single.adhesion)
     assert jumped.energy_ratio.overlaps(single.energy_ratio)
     assert jumped.energy_ratio.rad() < single.energy_ratio.rad()  # it has rounded less often
-
-
-@pytest.mark.parametrize("step", [Fraction(2, 10**5), Fraction(13, 10**6)])
-def test_small_steps_show_the_first_adhesion_and_stay_within_their_bound(step):
-    """The program's own runs: N where the motion is looked at, and the first flip in S0."""
-    scene = replace(load_scene("velocities"), until=Fraction("4.57"))
-    true, program = solved(scene), forward_euler(scene, float(step))
-    width, adhesion = float(scene.pair.half_width), float(true.events[20].t)
-    flips = np.flatnonzero((program.sign[1:] != program.sign[:-1]) & (abs(program.y[0, 1:]) < width)) + 1
-    assert abs(program.t[flips[0]] - adhesion) < float(LATEST)
-    weights = [200, 1, 0, 1]
-    apart = [
-        sum(weights * (program.y[:, n] - [float(one) for one in true.sol(program.t[n])]) ** 2) ** 0.5
-        for n in range(0, flips[0], 5000)
-    ]
-    assert max(apart) < float(ALLOWED) * float(step / SHOWS)
-    assert shows_adhesion(step).passed
-
-
-def test_a_step_beyond_is_not_said_to_show_it():
-    assert not shows_adhesion(Fraction(3, 10**5)).passed

@@ -48,21 +48,13 @@ def test_a_reading_infers_nothing_is_one_sentence_and_names_the_formula(words, m
         reading(words, meaning)
 
 
-def test_a_reading_neither_carries_a_clause_nor_weakens_it():
-    read = reading("they stick", "$v_1=v_2$")
-    assert not read.decides
-    assert weakest((EXACT, read)) is EvidenceKind.EXACT
-    assert weakest((read,)) is None
-    assert Proof(clause("c", "text"), Subject.CLAIM, (read,), (), ()).established_by is None
-    assert Proof(clause("c", "text"), Subject.CLAIM, (EXACT, read), (), ()).established_by is EvidenceKind.EXACT
-
-
 def test_a_clause_that_no_step_names_is_not_carried_by_a_reading_alone():
     @claim("a", "II", "w", HOLDS, clause("named", "text"), clause("left", "text"))
     def found():
         return because("Why.", carried("named", EXACT), reading("they stick", "$v_1=v_2$"))
 
     named, left = proofs(found, found.decide())
+    assert weakest((EXACT, reading("they stick", "$v_1=v_2$"))) is EvidenceKind.EXACT
     assert named.established_by is EvidenceKind.EXACT
     assert left.established_by is None
 

@@ -15,7 +15,7 @@ from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.proofs.audit import recorded
-from paper_checks.report.content import kernel, story, trust
+from paper_checks.report.content import kernel, trust
 from paper_checks.report.content.document import document, paper
 from paper_checks.report.content.phrases import headline
 from paper_checks.report.formats import html, latex
@@ -139,18 +139,6 @@ def test_a_part_that_is_open_is_counted_and_told(rows, theorem):
     assert json.loads(json_report.render([part]))[0]["open"] == ["Whether $x=2$."]
     assert "Open: Whether x=2." in printed([part])
     assert r"\item Whether $x=2$. (" in latex.render(paper([part]), {})
-
-
-def test_where_a_claim_fails_a_number_is_the_decisive_step_before_an_identity(rows):
-    finding = replace(rows[2].finding, evidence=(PROVED.as_counterexample(), *rows[2].finding.evidence))
-    row = replace(rows[2], finding=finding, proofs=proofs(rows[2].claim, finding))
-    assert story.decisive(row).kind is EvidenceKind.ENCLOSURE
-
-
-def test_the_count_says_how_strong_they_are(rows, theorem):
-    strengths = trust.given([theorem, *rows])["strengths"]
-    assert strengths.total() == sum(one.established_by is not None for one in (theorem, *rows))
-    assert strengths["argument", "theorem"] == 1
 
 
 @pytest.mark.parametrize("claim", [one for one in CLAIMS if one.kind is Kind.THEOREM], ids=lambda claim: claim.id)

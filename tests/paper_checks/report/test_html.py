@@ -59,18 +59,6 @@ def test_nothing_comes_from_a_network(files):
         assert all(one.startswith("#") for one in re.findall(r"url\(([^)]*)", text)), name
 
 
-def test_a_reader_without_a_mouse_or_without_eyes_finds_the_way(pages):
-    for name, page in pages.items():
-        images = [given for tag, given in page if "img" in (tag, given.get("role"))]
-        assert images
-        assert all(given.get("alt") or given.get("aria-label") for given in images), name
-        regions = [given for tag, given in page if (tag, given.get("class")) == ("div", "wide")]
-        assert all(given["role"] == "group" and given["aria-label"] for given in regions), name
-    tags, links = [tag for tag, _ in pages[html.FRONT]], [given.get("href") for _, given in pages[html.FRONT]]
-    assert tags.index("a") < tags.index("nav") < tags.index("main")
-    assert {"#main", html.EXPLORE} <= {*links}
-
-
 def test_the_first_page_counts_and_names_what_fails(files, rows):
     first, _, failed = files[html.FRONT].partition('<h2 id="rows">')[0].partition('<h2 id="refuted">')
     assert 'href="#example-stiction-never-violated"' in failed

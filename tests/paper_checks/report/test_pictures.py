@@ -19,11 +19,6 @@ def alone(trade):
     return dict(pictures.made(DRAWINGS, trade))
 
 
-def test_several_processes_draw_the_same(trade, alone):
-    assert dict(pictures.made(DRAWINGS, trade, jobs=2)) == alone
-    assert all(one.startswith(b"<?xml" if part.form == "svg" else b"%PDF") for part, one in alone.items())
-
-
 def test_a_process_that_ends_costs_its_own_figure_only(trade, alone, monkeypatch):
     monkeypatch.setattr(pictures, "drawn", dies_of_two_bodies)
     found = dict(pictures.made(DRAWINGS, trade, jobs=2))

@@ -77,13 +77,6 @@ def test_the_chapter_on_forces_names_claims_that_exist():
     assert "<code>" not in fragment(blocks.section(under_a_force().replace("`", "")))  # its mathematics can be set
 
 
-def test_the_table_has_both_thresholds_without_and_with_a_damper():
-    (table,) = (one for one in blocks.section(under_a_force()).blocks if one.kind == "table")
-    rows = [row.items for row in table.inside[1:]]
-    assert {row[0]: row[1:3] for row in rows}["12"] == ("0.3056", "0.4720")
-    assert all(float(row[1]) <= float(row[2]) and float(row[3]) <= float(row[4]) for row in rows)
-
-
 def test_numbers_are_computed_not_typed():
     source = Path(blocks.__file__).with_name("chapters").joinpath("under-a-force.md").read_text("utf-8")
     for number in ("0.63662", "1.1547", "89.44", "33.333"):
