@@ -94,13 +94,20 @@ def test_move_writes_a_scene_that_arrives_and_says_what_holds_the_pair_then(
         assert (last.start, last.polynomial) == (Fraction("0.3"), (Fraction(holding),))
 
 
-def test_track_prints_the_scene(record):
+def test_track_prints_the_scene_and_what_rounded_phases_change(run, record, tmp_path):
     found = record("track", "at-rest", "--reference", "s-curve")
     assert found["possible"]
     assert set(solve(parse_scene(found["scene"])).modes) == {Mode.STICK}
 
 
 @pytest.mark.parametrize(
+    (scene := tmp_path / "scene.toml").write_text(scene_text(load_scene("at-rest").replace(a1=3)))
+    (sine := tmp_path / "sine.toml").write_text(
+        '[[reference]]\npolynomial = [0, "-0.5"]\nsines = [{ amplitude = 0.5, omega = 1 }]\n'
+    )
+    words = ("track", scene, "--reference", sine)
+    assert [record(*words)["force_error"], found["force_error"]] == ["6.0e-59", "0.0e+00"]
+    assert "phases rounded to 60 digits change u by 6e-59 N s in total" in run(*words)[1]
     ("polynomial", "said"),
     [
         ('[0, 0, "0.24"]', "requires 0.48 N (+/- 1.96E-30), within b"),
