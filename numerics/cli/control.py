@@ -129,9 +129,12 @@ def _of_transfer(found: Transfer, least: str) -> Shown:
     lines = ["; ".join(filter(None, (found.road.value, found.fastest))), *number_lines(shown)]
     record = {"road": found.road.name.lower().replace("_", "-"), "sentence": found.road.value, **shown}
     if found.holding_force is None:
-        if found.is_at_limit:
-            slips = "its decimals may leave slips of about 10^-20 m"
-            lines.append(f"friction is at its limit: {slips}; --margin avoids them")
+        rounded = {
+            "SLIP": "its decimals may leave slips of about 10^-20 m",
+            "STUCK": "to within 10^-18, as its times are decimals",
+        }
+        if found.margin == 0 and found.road.name in rounded:
+            lines.append(f"friction is at its limit: {rounded[found.road.name]}; --margin avoids this")
         return record | {"fastest": found.fastest}, lines
     limit = "at its limit, or the margin, for a part of the time" if found.is_at_limit else "below its limit"
     holds = decimal_text(found.holding_force)

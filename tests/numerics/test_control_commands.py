@@ -55,6 +55,8 @@ response forced-sine-stick-slip | stick-slip: the bodies slip and stick in every
 track at-rest --reference s-curve | within b = 0.5 N
 track at-rest --reference too-fast | TOO MUCH by 0.0773502691896258 N (+/-
 move at-rest --distance 0.001 --amplitude 1.08 | slips of about 10^-20 m
+move at-rest --distance 0.01 | at its limit: to within 10^-18
+move at-rest --distance 0.01 --margin 0.2 | no force that keeps the margin is faster
 move at-rest --distance 0.001 --least energy --time 0.2 | # friction is below its limit
 ring velocities --radius 0.001 | stays inside the ring from t = 4.755641299
 """
@@ -65,6 +67,7 @@ def test_an_answer_is_printed_and_drawn(tmp_path, run, line):
     words, said = line.split(" | ")
     code, out, err = run(*words.split(), "--plot", tmp_path / "drawn.svg")
     assert said in out
+    assert ("--margin avoids" in out) is ("10^-" in said)
     assert (code, err[:15]) == ((1, "error: no force") if "TOO MUCH" in said else (0, ""))
     assert code or (tmp_path / "drawn.svg").stat().st_size > 10_000
 
@@ -98,9 +101,6 @@ def test_track_prints_the_scene_and_what_rounded_phases_change(run, record, tmp_
     found = record("track", "at-rest", "--reference", "s-curve")
     assert found["possible"]
     assert set(solve(parse_scene(found["scene"])).modes) == {Mode.STICK}
-
-
-@pytest.mark.parametrize(
     (scene := tmp_path / "scene.toml").write_text(scene_text(load_scene("at-rest").replace(a1=3)))
     (sine := tmp_path / "sine.toml").write_text(
         '[[reference]]\npolynomial = [0, "-0.5"]\nsines = [{ amplitude = 0.5, omega = 1 }]\n'
@@ -108,6 +108,9 @@ def test_track_prints_the_scene_and_what_rounded_phases_change(run, record, tmp_
     words = ("track", scene, "--reference", sine)
     assert [record(*words)["force_error"], found["force_error"]] == ["6.0e-59", "0.0e+00"]
     assert "phases rounded to 60 digits change u by 6e-59 N s in total" in run(*words)[1]
+
+
+@pytest.mark.parametrize(
     ("polynomial", "said"),
     [
         ('[0, 0, "0.24"]', "requires 0.48 N (+/- 1.96E-30), within b"),
