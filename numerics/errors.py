@@ -48,8 +48,8 @@ class OutOfRange(NumericsError, OverflowError):
     def of(cls, what: str, arithmetic: str, least: float = 5e-324, most: float = 1.79e308) -> OutOfRange:
         """Return the error for a number; `what` is its name and value."""
         found = cls(
-            f"{what} is beyond the range of {arithmetic} ({least:.2g} to {most:.2g}); choose units that bring it into "
-            'range, or use arithmetic="ball"'
+            f"{what} is beyond what {arithmetic} takes here ({least:.2g} to {most:.2g}); choose units that bring it "
+            'into that range, or use arithmetic="ball"'
         )
         found.beyond = arithmetic, least, most
         return found

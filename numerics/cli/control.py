@@ -98,7 +98,11 @@ def print_tracking(options: argparse.Namespace) -> int:
         lines.append(f"piece {one.number}, {start} s to {end} s: requires {needs}, {verdict} b = {b} N")
         shown = numbers(found, asked=one.force, at=one.at, too_much_by=excess)
         demands.append({"piece": one.number, "possible": one.possible, **shown, "from": start, "until": end, "b": b})
-    record = {"possible": found.scene is not None, "demands": demands}
+    if found.scene is not None and not found.sticks:
+        lines.append(
+            f"friction is at its limit: phases rounded to 60 digits change u by {found.force_error:.0e} N s in total"
+        )
+    record = {"possible": found.scene is not None, "demands": demands, "force_error": f"{found.force_error:.1e}"}
     otherwise = "no force makes body 2 follow: a piece requires more than friction can give"
     return _plan(options, found, (record, lines), otherwise)
 
@@ -125,9 +129,12 @@ def _of_transfer(found: Transfer, least: str) -> Shown:
     lines = ["; ".join(filter(None, (found.road.value, found.fastest))), *number_lines(shown)]
     record = {"road": found.road.name.lower().replace("_", "-"), "sentence": found.road.value, **shown}
     if found.holding_force is None:
-        if found.is_at_limit:
-            slips = "its decimals may leave slips of about 10^-20 m"
-            lines.append(f"friction is at its limit: {slips}; --margin avoids them")
+        rounded = {
+            "SLIP": "its decimals may leave slips of about 10^-20 m",
+            "STUCK": "to within 10^-18, as its times are decimals",
+        }
+        if found.margin == 0 and found.road.name in rounded:
+            lines.append(f"friction is at its limit: {rounded[found.road.name]}; --margin avoids this")
         return record | {"fastest": found.fastest}, lines
     limit = "at its limit, or the margin, for a part of the time" if found.is_at_limit else "below its limit"
     holds = decimal_text(found.holding_force)

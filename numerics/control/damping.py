@@ -102,9 +102,10 @@ def damping(scene: Scene, tolerance: Exact, *, digits: int = 15, max_digits: int
             raise OverflowError
         sampled = _sampled(scene, level)
     except OverflowError:
+        low, high = (number(2 * one / scene.pair.a2).sqrt().str(3, radius=False) for one in (_LEAST, 1 / _LEAST))
         raise OutOfRange(
-            f"tolerance = {short(size)} m has an energy a2 d^2/2, or its search dampers and times, beyond the range of "
-            "float64; give another tolerance, or choose units that bring them into range"
+            f"tolerance = {short(size)} m must be between {low} and {high} m, and the search dampers and times in the "
+            "range of float64; give another tolerance, or choose units that bring them into range"
         ) from None
     best = Fraction(f"{min(sampled, key=lambda one: one[1].rest)[0]:.4g}")
 

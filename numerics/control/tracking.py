@@ -65,13 +65,14 @@ class Demand(ShortRepr):
 class Tracking(ShortRepr):
     """The demands of a reference, and the scene whose force makes body 2 follow it, None if a demand exceeds b.
 
-    `share`: max m2 |r''|/b, dimensionless, an enclosure.
+    `share`: max m2 |r''|/b, dimensionless, an enclosure. `force_error`: upper bound on int |u - exact u| dt (N s), from
+    rounded phases; the error of the motion is at most force_error/sqrt(m1) in the norm N (sqrt J).
     `digits`: right digits of each number.
 
     >>> from numerics import load_reference, load_scene
     >>> found = track(load_scene("at-rest"), load_reference("too-fast"), digits=8)
-    >>> found.scene, found.share.str(6, radius=False), found.is_at_limit
-    (None, '1.15470', True)
+    >>> found.scene, found.share.str(6, radius=False), found.is_at_limit, found.force_error
+    (None, '1.15470', True, 0.0)
     >>> [(one.number, float(one.start), float(one.end), float(one.b), one.possible) for one in found.demands]
     [(1, 0.0, 1.0, 0.5, False), (2, 1.0, 4.0, 0.5, True)]
     >>> found.demands[0].force.str(6, radius=False), found.demands[0].at.str(6, radius=False)
@@ -82,6 +83,7 @@ class Tracking(ShortRepr):
     demands: tuple[Demand, ...]
     scene: Scene | None
     share: arb
+    force_error: float
     digits: int
 
     @property
@@ -92,7 +94,7 @@ class Tracking(ShortRepr):
     @property
     def sticks(self) -> bool:
         """Return whether the bodies never slip on the way: at the limit rounded phases may let them."""
-        return not (self.is_at_limit and any(one.sines for one in self.reference))
+        return not (self.is_at_limit and self.force_error > 0)
 
     def goal(self, scene: Scene) -> tuple[arb, arb]:
         """Return where body 2 is to be at the horizon of its scene, and the size beside which an error counts, m."""
@@ -123,12 +125,16 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
         return found, [one.force if one.possible else one.too_much for one in found]
 
     demands = to_digits(attempt, digits, max_digits)
-    share, followed = max((one.force / number(one.b) for one in demands), key=float), None
+    share, followed, error = max((one.force / number(one.b) for one in demands), key=float), None, 0.0
     if all(one.possible for one in demands):
         apart = Force((Piece(0, (scene.initial.x1 - scene.initial.x2,)),))
         path = Force(one for one in reference if one.start < scene.until) + apart
         followed = replace(scene, force=stuck_force(scene.pair, path))
-    return Tracking(reference, demands, followed, share, digits)
+        sizes = (
+            abs(scene.pair.a1 * sine.omega * sine.amplitude) * one.length for _, one in parts for sine in one.sines
+        )
+        error = float(number(sum(sizes, Fraction(0))).upper()) * 10.0 ** (1 - _PHASE_DIGITS)
+    return Tracking(reference, demands, followed, share, error, digits)
 
 
 def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:

@@ -42,7 +42,7 @@ _LINE = _SURFACE | {
     "wall": ("", _SIGNAL),
 }
 """The keys of each table: those that it must have, and others."""
-_ON_A_LINE = {"weakening", "belt", "wall", "b_static", "body"}
+_ON_A_LINE = ("weakening", "belt", "wall", "b_static", "body")
 _SINE = ("amplitude omega", "phase")
 _REPEATED = {"force", "friction", "belt", "wall", "reference"}
 """Tables of which there may be many."""
@@ -154,10 +154,19 @@ def parse_scene(text: str, file: str = "") -> Scene:
             'solve_many, and a pair on a surface also shape = "ellipsoid"'
         )
     on_surface = bool(lists or is_named)
+    given = [*tables, *_some(tables.get("pair")), *chain.from_iterable(pieces)] if on_surface else []
+    for name in _ON_A_LINE:
+        if name in given:
+            raise InvalidScene(f"{name} is for bodies on one line; leave it out, or give scalars in [pair]")
     _require_tables(tables, "scene on a surface" if on_surface else "scene", _SURFACE if on_surface else _LINE)
     initial, until = tables.get("initial", {}), tables["run"]["until"]
     law = read_law(tables["run"].get("law", Law.FILIPPOV))
-    steps = chain.from_iterable(_read("friction", tables, lambda one: _friction_pieces(one, folder)))
+
+    def friction(table: dict[str, Any]) -> Sequence[Any]:
+        found = _friction_pieces(table, folder)
+        return found if on_surface else Friction(found).pieces  # an error says in which table it is
+
+    steps = chain.from_iterable(_read("friction", tables, friction))
     if not on_surface:
         on_bodies = _signals(tables, "force", folder, "body", (1, 2))
         weakening = Weakening(**tables["weakening"]) if "weakening" in tables else None
@@ -228,7 +237,9 @@ def _tables(text: str, what: str, file: str) -> dict[str, Any]:
         place = re.search(r"at line (\d+)", reason)
         line = f", {shown(text.splitlines()[int(place[1]) - 1])}" if place else ""
         named = {"": "", "-": "standard input is "}.get(file, f"{file!r} is ")
-        remedy = "write key = 0.05, with a decimal point, texts in quotes; samples are a file = ... in a [[force]]"
+        remedy = "write key = 0.05, with a decimal point, texts in quotes"
+        if file.lower().endswith((".csv", ".txt", ".dat")):
+            remedy = f"samples are a file = {file!r} in a [[force]] of a scene"
         raise InvalidScene(f"{named}not a TOML {what}: {reason[:200]}{line}; {remedy}") from None
 
 
@@ -237,7 +248,7 @@ def _require_tables(tables: dict[str, Any], what: str, known: dict[str, tuple[st
     headed = {name: f"[[{name}]]" if name in _REPEATED else f"[{name}]" for name in known}
     for name in tables:
         if name not in known:
-            right = _right(name, [*known], f"a {what} has {', '.join(headed.values())}")
+            right = right_word(name, [*known], f"a {what} has {', '.join(headed.values())}")
             raise InvalidScene(f"unknown table or key [{name[:40]!r}]; {right}")
     for name, keys in known.items():
         given = tables.get(name, [] if name in _REPEATED else {})
@@ -277,8 +288,10 @@ def _friction_pieces(table: dict[str, Any], folder: Path) -> Sequence[Any]:
     """Return pieces of friction: each its start and a constant b, or a Piece; b may stand beside sines."""
     if "file" in table:
         return _samples(table, folder)
-    if missing := "from" if "from" not in table else "b" if len(table) < 2 else "":
-        raise InvalidScene(f"missing key {missing}; give it (for b: polynomial and sines will do)")
+    if "from" not in table:
+        raise InvalidScene("missing key from; give it")
+    if len(table) < 2:
+        raise InvalidScene("missing key b; give b, or polynomial and sines")
     if "b" not in table:
         return [_piece(table)]
     if "polynomial" in table:
@@ -295,15 +308,10 @@ def _require_keys(content: Any, keys: tuple[str, str], where: str) -> None:
         raise InvalidScene(f"{where} must be a table with the keys {' '.join(known)}, not {shown(content)}; give it so")
     for key in content:
         if key not in known:
-            raise InvalidScene(f"{where}: unknown key {key[:40]!r}; {_right(key, known)}")
+            raise InvalidScene(f"{where}: unknown key {key[:40]!r}; {right_word(key, known)}")
     for key in required:
         if key not in content:
             raise InvalidScene(f"{where}: missing key {key}; give it")
-
-
-def _right(word: str, known: list[str], otherwise: str = "") -> str:
-    """Return what to write instead of a name of a table or key."""
-    return "it is for bodies on one line" if word in _ON_A_LINE else right_word(word, known, otherwise)
 
 
 def scene_text(scene: Scene | PlaneScene) -> str:

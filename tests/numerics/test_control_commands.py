@@ -55,6 +55,8 @@ response forced-sine-stick-slip | stick-slip: the bodies slip and stick in every
 track at-rest --reference s-curve | within b = 0.5 N
 track at-rest --reference too-fast | TOO MUCH by 0.0773502691896258 N (+/-
 move at-rest --distance 0.001 --amplitude 1.08 | slips of about 10^-20 m
+move at-rest --distance 0.01 | at its limit: to within 10^-18
+move at-rest --distance 0.01 --margin 0.2 | no force that keeps the margin is faster
 move at-rest --distance 0.001 --least energy --time 0.2 | # friction is below its limit
 ring velocities --radius 0.001 | stays inside the ring from t = 4.755641299
 """
@@ -65,6 +67,7 @@ def test_an_answer_is_printed_and_drawn(tmp_path, run, line):
     words, said = line.split(" | ")
     code, out, err = run(*words.split(), "--plot", tmp_path / "drawn.svg")
     assert said in out
+    assert ("--margin avoids" in out) is ("10^-" in said)
     assert (code, err[:15]) == ((1, "error: no force") if "TOO MUCH" in said else (0, ""))
     assert code or (tmp_path / "drawn.svg").stat().st_size > 10_000
 
@@ -94,10 +97,17 @@ def test_move_writes_a_scene_that_arrives_and_says_what_holds_the_pair_then(
         assert (last.start, last.polynomial) == (Fraction("0.3"), (Fraction(holding),))
 
 
-def test_track_prints_the_scene(record):
+def test_track_prints_the_scene_and_what_rounded_phases_change(run, record, tmp_path):
     found = record("track", "at-rest", "--reference", "s-curve")
     assert found["possible"]
     assert set(solve(parse_scene(found["scene"])).modes) == {Mode.STICK}
+    (scene := tmp_path / "scene.toml").write_text(scene_text(load_scene("at-rest").replace(a1=3)))
+    (sine := tmp_path / "sine.toml").write_text(
+        '[[reference]]\npolynomial = [0, "-0.5"]\nsines = [{ amplitude = 0.5, omega = 1 }]\n'
+    )
+    words = ("track", scene, "--reference", sine)
+    assert [record(*words)["force_error"], found["force_error"]] == ["6.0e-59", "0.0e+00"]
+    assert "phases rounded to 60 digits change u by 6e-59 N s in total" in run(*words)[1]
 
 
 @pytest.mark.parametrize(

@@ -79,3 +79,15 @@ def test_the_limit_itself_can_be_followed_and_no_more(reference, until, b, possi
         assert float(found.demands[0].force) == pytest.approx(0.528, abs=1e-3)
     else:
         assert found.is_at_limit
+
+
+@pytest.mark.parametrize(
+    ("pair", "amplitude", "error", "sticks"),
+    [(FREE, "0.5", 0, True), (DAMPED, "0.4", 4.8e-59, True), (DAMPED, "0.5", 6e-59, False)],
+)
+def test_rounded_phases_of_a_damped_pair_change_the_force_and_may_let_it_slip_at_the_limit(
+    pair, amplitude, error, sticks
+):
+    """By at most a1 omega A until 10^-59, N s."""
+    found = track(Scene(pair, State(), 4), (Piece(0, [0, f"-{amplitude}"], [Sine(amplitude, 1)]),))
+    assert (found.force_error, found.sticks) == (pytest.approx(error, rel=1e-9, abs=0), sticks)
