@@ -26,11 +26,7 @@ class _Line:
     def __init__(self, what: str, every: float = 0.0) -> None:
         self.what, self.every, self.began, self.fraction = what, every, time.monotonic(), 0.0
         self.is_terminal, self.has_told = sys.stderr.isatty(), False
-        self.due = self.began + (_AFTER if self.is_terminal else every or _SILENT)
-
-    def begin(self, what: str) -> None:
-        """Take the name of the work that begins."""
-        self.what, self.fraction = what, 0.0
+        self.due, self.is_named = self.began + (_AFTER if self.is_terminal else every or _SILENT), False
 
     def __call__(self, done: int, whole: float) -> None:
         """Take a count and the fraction done (a float), or a count and how many there are (an int)."""
@@ -91,7 +87,7 @@ class _Messages(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         """Take one."""
-        self.line.begin(record.getMessage())
+        self.line.what, self.line.fraction, self.line.is_named = record.getMessage(), 0.0, True
         self.line.tell()
 
 
@@ -104,8 +100,8 @@ def meter(
     With `ticks` it also counts the seconds of work that tells nothing. As a decorator it is the line of a function.
     """
     line = getattr(_ACTIVE, "line", None)
-    if given is None and line is not None and line.every:  # that of a command
-        line.begin(what)
+    if given is None and line is not None and line.every and not line.is_named:  # that of a command
+        line.what, line.fraction = what, 0.0
         yield line
     elif given is not None or line is not None or sys.stderr is None:
         yield given

@@ -74,6 +74,11 @@ def test_right_to_the_digits_claimed_or_refused(folder, name, way):
     assert (kind in case.right, found) == (True, [])
 
 
+def test_every_extreme_scene_has_an_entry_and_an_answer():
+    assert {path.stem for path in (HERE.parent / "extremes" / "scenes").glob("*.toml")} == set(EXTREMES)
+    assert set(CATALOGUE["extremes"]) == set(EXTREMES)
+
+
 CONTROL = json.loads((HERE / "control.json").read_text("utf-8"))
 
 

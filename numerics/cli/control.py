@@ -126,7 +126,8 @@ def _of_transfer(found: Transfer, least: str) -> Shown:
 
     costs = {least: found.cost, f"least_{least}": found.least_cost}
     shown = numbers(found, "bound", "time", "stuck_amplitude", "least_amplitude", **costs)
-    lines = ["; ".join(filter(None, (found.road.value, found.fastest))), *number_lines(shown)]
+    road = "" if found.scene is None else found.road.value  # what is open says so itself
+    lines = ["; ".join(filter(None, (road, found.fastest))), *number_lines(shown)]
     record = {"road": found.road.name.lower().replace("_", "-"), "sentence": found.road.value, **shown}
     if found.holding_force is None:
         rounded = {

@@ -25,7 +25,7 @@ from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.control.answers import (
     KEPT_DIGITS,
     TIME_DIGITS,
-    SlipsAgain,
+    SecondSolveDiffers,
     number,
     rounded,
     rounded_up,
@@ -209,8 +209,13 @@ def cheapest_transfer(
     try:
         found = to_digits(attempt, max(digits, KEPT_DIGITS), max_digits)
         assert found.scene is not None
-        solved_again(replace(found, scene=replace(found.scene, pair=tight)))
-    except (NotSettled, SlipsAgain) as error:  # under the force of a search that fails friction may give way
+        run = solved_again(replace(found, scene=replace(found.scene, pair=tight)))
+        assert run is not None
+        with run.context():
+            _, _, x2, v2 = run.sol(until)
+            if not abs(x2 - number(scene.initial.x2 + by)) + abs(v2) * number(until) < number(far) * _CLOSE:
+                raise NotSettled("the bodies do not come to rest in time under the force that was found")
+    except (NotSettled, SecondSolveDiffers) as error:  # under the force of a search that fails friction may give way
         end = pair.a2 * far - tight.b * pair.mass / pair.m2
         needed = f"; with any time the end needs a peak of {short(end)} N" if least == "peak" and end > 0 else ""
         raise NotSettled(f"{error}{needed}; give another time") from error
