@@ -40,7 +40,7 @@ from numerics import (
     track,
 )
 from numerics.control.answers import solved_again
-from numerics.control.pictures import draw_plan, draw_response
+from numerics.control.pictures import draw_response, draw_tracking
 from paper_checks.drawing import under_a_force
 from paper_checks.drawing.style import house_style
 
@@ -110,7 +110,7 @@ rest = load_scene("at-rest")
 followed = track(rest, load_reference("s-curve"))
 print("asks at most", followed.share.str(12), "of the friction;", solved_again(followed).modes)
 print("too-fast:", track(rest, load_reference("too-fast")).share.str(12), "of the friction, so that no force can do it")
-draw_plan(followed, solved_again(followed))
+draw_tracking(followed, rest.pair)
 
 # %% [markdown]
 # ## The fastest transfer

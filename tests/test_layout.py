@@ -1,5 +1,6 @@
 """The repository layout: which package may import which, and that the tests see the repository's own packages."""
 
+import ast
 import graphlib
 import re
 import subprocess
@@ -126,14 +127,25 @@ def test_help_answers_without_heavy_imports(package):
     assert done.stderr.strip().splitlines()[-1] == "[]"
 
 
+HELD = re.compile(r"\b(precision|series_terms|mpmath_precision|context|fine|terms)\(")
 SET = re.compile(
     r"\.(?:prec|dps|cap)\b[^=()\n]*=(?!=)|\b(?:work|extra)(?:prec|dps)\b|functools import [^.]*cached_property"
 )
 
 
 def outside_the_lock(path: Path) -> list[str]:
-    """Return where a file sets a precision itself, or takes a cached_property that locks."""
-    return SET.findall(path.read_text("utf-8"))
+    """Return where a file sets a precision, holds one across a `yield`, or takes a cached_property that locks."""
+    text = path.read_text("utf-8")
+    functions = [one for one in ast.walk(ast.parse(text)) if isinstance(one, ast.FunctionDef)]
+    held = (
+        block
+        for one in functions
+        if "contextmanager" not in map(ast.unparse, one.decorator_list)
+        for block in ast.walk(one)
+        if isinstance(block, ast.With) and HELD.search(ast.unparse(block.items))
+    )
+    yields = [one for block in held for one in ast.walk(block) if isinstance(one, ast.Yield | ast.YieldFrom)]
+    return SET.findall(text) + [f"line {one.lineno}: yields within a precision" for one in yields]
 
 
 def test_every_precision_is_set_under_one_lock():
@@ -148,6 +160,7 @@ def test_every_precision_is_set_under_one_lock():
         "flint.ctx.cap, x = 3, 4",
         "mpmath.mp.dps = 50",
         "with mpmath.workdps(50): pass",
+        "def f():\n    with run.context():\n        yield 1",
         "from functools import cached_property",
         "from numerics.solver.solve import solve",
     ],

@@ -88,7 +88,8 @@ def print_tracking(options: argparse.Namespace) -> int:
     from numerics.scene.decimals import decimal_text
     from numerics.scene.file import load_reference
 
-    _, found = _ask(options, "track", load_reference(options.reference))
+    scene, found = _ask(options, "track", load_reference(options.reference))
+    draw(options, "draw_tracking", found, scene.pair)
     demands, lines = [], []
     for one in found.demands:
         excess = None if one.possible else one.too_much
@@ -146,11 +147,12 @@ def _of_transfer(found: Transfer, least: str) -> Shown:
 def _plan(options: argparse.Namespace, found: Any, shown: Shown, otherwise: str) -> int:
     """Solve a plan again, draw and print it, and write or print its scene; FAILED with a sentence if there is none."""
     from numerics.control.answers import solved_again
+    from numerics.control.transfer import Transfer
     from numerics.scene.file import scene_text
 
     solved, (record, lines) = solved_again(found), shown
-    if solved is not None:
-        draw(options, "draw_plan", found, solved)
+    if isinstance(found, Transfer) and solved is not None:
+        draw(options, "draw_transfer", found, solved)
     text = "" if found.scene is None else scene_text(found.scene)
     if text and options.out is None:
         lines = [f"# {line}" for line in lines]  # all of it is a scene file then

@@ -181,8 +181,12 @@ def _of_a_surface(events: list[dict[str, Any]]) -> list[str]:
 
 def _explained(trajectory: Any, *, on_surface: bool) -> str:
     """Return how a scene was solved: arithmetic, digits, what was tried, events, and why no more were needed."""
+    from numerics.trajectory.run import free_scene
+
     located, arithmetic = len(trajectory.event_times), trajectory.arithmetic
-    why = f"{located} events located one by one (`energy` skips most of those of a free pair)"
+    why = f"{located} events located one by one"
+    if not on_surface and free_scene(trajectory.scene):
+        why += ", as all of them were requested (`energy` skips most of them)"
     if "permanently" in trajectory.message:
         why = f"after {located} events the pair sticks permanently: a later horizon takes no longer"
     tried = f" ({trajectory.tried})" if trajectory.tried else ""

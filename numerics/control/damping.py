@@ -115,7 +115,7 @@ def damping(scene: Scene, tolerance: Exact, *, digits: int = 15, max_digits: int
 
         own, at_best = (_times(one, level, follow, digits) for one in (scene, scene.replace(a1=best)))
         heavy = _heavy(scene, size)
-        known, is_best = [one for one in (*own, *at_best, *heavy) if one.is_finite()], at_best.rest < heavy.rest
+        known, is_best = [one for one in (*own, *at_best, *heavy) if one.is_finite()], not heavy.rest <= at_best.rest
         found = Damping(
             scene, size, own, best if is_best else None, at_best if is_best else None, heavy, digits, sampled
         )

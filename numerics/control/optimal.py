@@ -291,6 +291,7 @@ class LeastPeak(LeastEnergy):
             if time > 0:
                 parts.append(Part(start, arb_poly(u), nothing, Arc(1, side)))
             start = (start + time).mid()
+        # q and r of the size P; nu = mu = 0: its bound is `least_at_end`
         return Motion(peak, arb(0), parts, [self.far, arb(0), arb(0), arb(0)], beta)
 
     def arc_at(self, peak: arb, fast: arb, turn: arb) -> tuple[arb, arb, arb] | None:

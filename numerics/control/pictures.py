@@ -17,7 +17,9 @@ from matplotlib.ticker import LogLocator
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.thresholds import edges
-from numerics.scene import Pair
+from numerics.control.tracking import Tracking, acceleration
+from numerics.control.transfer import Transfer
+from numerics.scene import Force, Pair
 from numerics.solver.solve import solve
 from numerics.trajectory.curve import sampled
 from numerics.trajectory.figures import (
@@ -106,18 +108,37 @@ def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
     return ax
 
 
-def draw_plan(found: Any, solved: Trajectory) -> Figure:
-    """Return the solved scene of a Transfer or a Tracking."""
-    curve, times = sampled(solved), {name: getattr(found, name, None) for name in ("bound", "time")}
+def draw_tracking(found: Tracking, pair: Pair) -> Figure:
+    """Return the reference, what it asks of the interface beside what that holds, and the force if there is one."""
+    figure, axes = _panels(8, 7.2, 3, 1, sharex=True)
+    path, bend, end = Force(found.reference), Force(map(acceleration, found.reference)), found.demands[-1].end
+    curves = [(path, 1.0, "black"), (bend, float(pair.m2), GREEN)]
+    title = "No force makes body 2 follow: the dashed pieces require too much friction"
+    if found.scene is not None:
+        title = "The force on body 1 that makes body 2 follow"
+        curves.append((found.scene.force, 1.0, PURPLE))
+    for one in found.demands:
+        t = np.linspace(float(one.start), float(one.end), _POINTS, endpoint=False)
+        axes[1].fill_between(t, -float(one.b), float(one.b), color=GREEN, alpha=0.2, lw=0)
+        for ax, (curve, factor, colour) in zip(axes, curves, strict=False):
+            values = [factor * float(curve(at)) for at in t.tolist()]
+            ax.plot(t, values, color=colour, ls="-" if one.possible else "--")
+    axes[0].set(ylabel="r (m)", title="The reference of body 2")
+    axes[1].set(ylabel="friction needed (N)", title="Friction required; shaded: friction available")
+    axes[2].set(ylabel="u (N)", xlabel="t (s)", xlim=(0, float(end)), title=title)
+    return figure
+
+
+def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
+    """Return the solved scene of a transfer, with the times before which none arrives, and at which it does."""
+    curve = sampled(solved)
     apart = abs(curve.y[1] - curve.y[3])
     curve = curve._replace(stick=apart <= _TOGETHER * abs(curve.y[1]).max())
     drawings = [partial(draw, solved, kind, curve=curve) for kind in ("positions", "velocities", "force", "load")]
-    title = "The force on body 1 that makes body 2 follow"
-    if times["bound"] is not None:
-        title = f"{fill(found.road.value, 90)}\ndotted: it arrives; dashed: no force arrives before"
+    title = f"{fill(found.road.value, 90)}\ndotted: it arrives; dashed: no force arrives before"
     figure = together(drawings, (10, 7), title)
     for ax in figure.axes:
-        for time, style in zip(times.values(), ("--", ":"), strict=True):
+        for time, style in ((found.bound, "--"), (found.time, ":")):
             if time is not None:
                 ax.axvline(float(time), color="black", lw=0.8, ls=style)
     return figure

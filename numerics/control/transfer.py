@@ -25,7 +25,7 @@ from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.control.answers import (
     KEPT_DIGITS,
     TIME_DIGITS,
-    SecondSolveDiffers,
+    SlipsAgain,
     number,
     rounded,
     rounded_up,
@@ -172,7 +172,7 @@ def cheapest_transfer(
 
     `least="peak"`: the least max |u| up to that time instead. The load is at most (1 - margin) b. Raises InvalidScene
     (a time below the least one among others), NotSettled (no force was found), PrecisionExhausted, TypeError (no
-    scene), ValueError (digits).
+    scene), ValueError (digits, least).
 
     >>> from numerics import load_scene
     >>> found = cheapest_transfer(load_scene("at-rest"), "0.001", "0.2")
@@ -215,7 +215,7 @@ def cheapest_transfer(
             _, _, x2, v2 = run.sol(until)
             if not abs(x2 - number(scene.initial.x2 + by)) + abs(v2) * number(until) < number(far) * _CLOSE:
                 raise NotSettled("the bodies do not come to rest in time under the force that was found")
-    except (NotSettled, SecondSolveDiffers) as error:  # under the force of a search that fails friction may give way
+    except (NotSettled, SlipsAgain) as error:  # under the force of a search that fails friction may give way
         end = pair.a2 * far - tight.b * pair.mass / pair.m2
         needed = f"; with any time the end needs a peak of {short(end)} N" if least == "peak" and end > 0 else ""
         raise NotSettled(f"{error}{needed}; give another time") from error

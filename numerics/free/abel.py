@@ -84,7 +84,9 @@ class AbelFunctions:
         self.slide_coefficients = _solved(-x * falls, x * (one - falls), 1, 0, self.order + 1)
 
     def alpha(self, y: arb) -> arb:
-        """Return an enclosure of alpha(y) for 0 < y <= largest_argument."""
+        """Return an enclosure of alpha(y) for 0 < y <= largest_argument; raises EventUndecided beyond."""
+        if not y <= Ball.number(self.largest_argument):
+            raise undecided(f"is this excess within the certified {float(self.largest_argument):g}?", y)
         value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + _polynomial(self.alpha_coefficients)(y)
         return widened(value, self._missed(y, 0, 2 * self.order + 4))
 

@@ -144,9 +144,11 @@ def _refuse_countless(y: float, half_turns: float, r: Fraction, digits: int, lef
     1/y grows by G/(y (1 - G)) <= a/(1 - a y) an excursion, as c <= 3 y/2 and so G <= a y, a = 9 r/4: for a y < 1/2 by
     less than 2 a, and it never merges. An excursion is two events and takes less than the reduced time 4 pi.
     """
-    a = float(9 * r / 4)
-    events = min((1 / reach_of(digits) - 1 / y) / a, half_turns / 2)
-    if a * y < 0.5 and events > left:
+    a, reach = float(9 * r / 4), reach_of(digits)
+    if not reach < y < 1 / (2 * a):
+        return
+    events = min((1 / reach - 1 / y) / a, half_turns / 2)
+    if events > left:
         raise OutOfRange(
             f"{digits} working digits need about {events:.0e} events before the return map applies, "
             f"the limit leaves {left}; request fewer digits, or raise max_steps"

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from numerics.errors import MissingTool
 from numerics.exits import tool
 from numerics.files import path_of, whole_file
 from numerics.linear.modes import EventKind, Mode
@@ -308,6 +309,8 @@ def film(
     if path and path.suffix not in {".gif", ".mp4"}:
         raise ValueError(f"file = {path.name!r} must end in .gif or .mp4")
     plt, animation = (tool(f"matplotlib.{name}") for name in ("pyplot", "animation"))
+    if path and path.suffix == ".mp4" and not animation.writers.is_available("ffmpeg"):
+        raise MissingTool("an .mp4 file needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
     with meter("drawing") as line:
         times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
         figure, show = drawn(times, trajectory.floats(trajectory.sol(times)))

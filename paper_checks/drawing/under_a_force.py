@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from numerics.control.answers import solved_again
-from numerics.control.pictures import REGIME_COLOURS, draw_plan, draw_ring, draw_thresholds
+from numerics.control.pictures import REGIME_COLOURS, draw_ring, draw_thresholds, draw_transfer
 from numerics.control.ring import ring_entry
 from numerics.control.transfer import fastest_transfer
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
@@ -85,7 +85,7 @@ def fastest_transfer_figure() -> Figure:
     found = fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08")
     solved = solved_again(found)
     assert solved is not None
-    return draw_plan(found, solved)
+    return draw_transfer(found, solved)
 
 
 def tolerance_ring_of_a_scene() -> Figure:

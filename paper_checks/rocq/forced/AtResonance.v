@@ -19,7 +19,7 @@ Definition edge_x c t := (F / 2 - m1 * om * h) / a2 * sin (om * t) - b / a2 - (c
 Definition edge_v1 c t := (c + k * (om * t)) * sin (om * t) - h * cos (om * t).
 Definition edge_v2 t := b / m2 * t - h.
 
-(** it does slip forwards *)
+(** a bound of sines *)
 Lemma half_turn y : 0 <= y <= PI -> y <= sin y + PI / 2 * (1 - cos y).
 Proof.
   intros Hy. pose proof PI2_1 as P2. destruct (Rle_dec y (PI / 2)) as [L|L].
@@ -39,7 +39,7 @@ Lemma edge_ahead c t : edge_v1 c t - edge_v2 t =
   (c + k * (om * t)) * sin (om * t) + b / (m2 * om) * (PI / 2 * (1 - cos (om * t)) - om * t).
 Proof. unfold edge_v1, edge_v2, h. field. lra. Qed.
 
-(** faster between the turns *)
+(** it does slip forwards: faster between the turns *)
 Lemma edge_slips c t : b / (m2 * om) <= c -> 0 < t < T -> edge_v2 t < edge_v1 c t.
 Proof.
   intros Hc Ht. pose proof PI_RGT_0 as P. assert (Hg : 0 < b / (m2 * om)) by positive. set (g := b / (m2 * om)) in *.
