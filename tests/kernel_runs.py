@@ -1,5 +1,6 @@
 """Runs of the engine's kernel whose start is off by planted errors, and seeded scenes for them with M = a2 = L = 1."""
 
+import math
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -18,7 +19,7 @@ from numerics.linear.engine import _exact_rows
 from numerics.linear.exact_start import exact_knots
 from numerics.linear.kernel import Log, begin, follow
 from numerics.linear.prepare import Prepared, prepare
-from numerics.linear.record import AT, END_ROW, ROW, How, Record
+from numerics.linear.record import AT, END_ROW, ROW, How, Record, finish
 from numerics.linear.room import enter, form_z, run_of, space_for
 from numerics.trajectory.events import taken_in
 
@@ -28,7 +29,7 @@ NOTHING = (0, 0, 0, 0)
 
 
 class Run(NamedTuple):
-    """How a run ended, the starts of its segments, the row of the end."""
+    """How a run ended, the starts of its segments, the row of the end; in the kernel's units."""
 
     how: int
     rows: np.ndarray
@@ -46,8 +47,8 @@ class Run(NamedTuple):
 
     @property
     def times(self):
-        """The times of the events."""
-        starts = [float(one.start) for one in self.prepared.pieces]
+        """The times of the events, in the kernel's unit."""
+        starts = [math.ldexp(float(one.start), -self.prepared.units.time) for one in self.prepared.pieces]
         return np.array([starts[int(row[AT["piece"]])] + row[AT["local"]] for row in self.events])
 
 
@@ -58,12 +59,16 @@ def run(scene, by=NOTHING, most=60):
     if cells is not None:
         start[:ROW] = _exact_rows(prepared, exact_knots(scene, prepared.pieces)[:1], cells)[0]
         start[AT["jump"]] = start[BOUNDS[1:]] = 0.0
-    start[BOUNDS[1:]] = [abs(float(one)) for one in by]
+    for k, exponent in enumerate([prepared.units.of(length=1), prepared.units.of(length=1, time=-1)] * 2):
+        start[BOUNDS[1 + k]] = math.ldexp(abs(float(by[k])), -exponent)
     space = space_for(prepared.problem.tables)
     how, count = compiled(follow)(prepared.problem, space, start, -1.0, Log(rows, end, most, True))
     if how < 3:
-        record = Record(rows[:count], end, How(how), int(end[AT["events"]]))
-        end[AT["friction"] :] = taken_in(Trajectory(scene, Float64(), record), range(count - (how == 2)))
+        mass, time, length = prepared.units
+        record = Record(rows[:count].copy(), end.copy(), How(how), int(end[AT["events"]]))
+        compiled(finish)(record.rows, record.end, *prepared.units)
+        taken = taken_in(Trajectory(scene, Float64(), record), range(count - (how == 2)))
+        end[AT["friction"] :] = np.ldexp(taken, 2 * time - mass - 2 * length)
     return Run(how, rows[:count], end, prepared)
 
 

@@ -5,6 +5,7 @@ In come rows of numbers, of one piece of force and one friction number.
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,8 +14,7 @@ from numerics.arithmetic.compiled import compilable, compilable_with, compiled
 from numerics.linear.kernel import EVENT_LIMIT, OUT_OF_RANGE, Log, follow
 from numerics.linear.ledger import ledger
 from numerics.linear.model import FIRST, Bodies, Layout, Rows, make_rows, norm_of, put_rows
-from numerics.linear.prepare import LEAST, MOST
-from numerics.linear.record import AT, END_ROW, UNKNOWN
+from numerics.linear.record import AT, END_ROW, UNKNOWN, finish
 from numerics.linear.room import Drive, Problem, space_for
 from numerics.linear.table import Tables, form, make_tables, most_terms
 
@@ -56,9 +56,9 @@ def follow_many(given: Any, terms: int, literal: bool, max_events: int, has_ledg
     """Solve rows of scenes; write start and first events of each to `kept` (n, k, ROW), its end to `ends` (n, END_ROW).
 
     A row is NUMBERS of a scene in SI units, the coefficients of u in powers of t, so many `terms`, and amplitude, omega
-    and phase of each of its sines; all binary64. Tables are formed anew only where they change. Rows that are in doubt,
-    or out of range, are UNKNOWN at the end. With `has_ledger`, `kept` is (1, k, ROW) with room for all rows of any
-    scene, and the end says what was taken and given.
+    and phase of each of its sines; all binary64. Each is solved in units that are powers of 2; tables are formed anew
+    only where they change. Rows that are in doubt, or out of range, are UNKNOWN at the end. With `has_ledger`, `kept`
+    is (1, k, ROW) with room for all rows of any scene, and the end says what was taken and given.
     """
     work = work_for(terms, (given.shape[1] - NUMBERS - terms) // 3)
     compiled(follow_rows)(given, work, literal, max_events, has_ledger, kept, ends)
@@ -69,12 +69,9 @@ def follow_rows(given: Any, work: Work, literal: bool, max_events: int, has_ledg
     """Solve rows of scenes (follow_many)."""
     drive, start, tables = work.drive, work.start, work.tables
     for row in range(given.shape[0]):
-        bodies = put_bodies(given[row], start)
-        put_signals(given[row], work)
+        bodies, units = put_bodies(given[row], start)
+        put_signals(given[row], units, work)
         found, end, norm, longest = kept[row % kept.shape[0]], ends[row], norm_of(bodies), drive.length[0, 0]
-        if not has_scale(given[row]):
-            end[_HOW] = UNKNOWN
-            continue
         if is_new(work, bodies, longest):
             clear(work.rows)
             put_rows(bodies, work.blocks, work.asked[:-5], (0.0, 0.0, 1.0), work.rows)
@@ -86,27 +83,24 @@ def follow_rows(given: Any, work: Work, literal: bool, max_events: int, has_ledg
             taken[:] = 0.0
             if ledger(problem, work.space, found, 0, segments, end, taken) < segments:
                 taken[:] = np.nan
-        if how >= OUT_OF_RANGE:
+        if how >= OUT_OF_RANGE or not finish(found[:count], end, units[0], units[1], units[2]):
             end[_HOW] = UNKNOWN
 
 
 @compilable
-def has_scale(numbers: Any) -> bool:
-    """Return whether masses, a2 and L of a row are in the range of which floats hold powers."""
-    m1, m2, a2, b = numbers[0], numbers[1], numbers[2], numbers[3]
-    length = b * (m1 + m2) / (a2 * m2)
-    return min(m1, m2, a2, length) > LEAST and max(m1, m2, a2, length) < MOST
-
-
-@compilable
-def put_bodies(numbers: Any, start: Any) -> Bodies:
-    """Write a row's start; return its bodies."""
-    m1, m2, a2, a1, whole = numbers[0], numbers[1], numbers[2], numbers[9], numbers[0] + numbers[1]
+def put_bodies(numbers: Any, start: Any) -> tuple[Bodies, tuple[int, int, int]]:
+    """Write a row's start in its units; return its bodies, and the exponents of mass, time and length."""
+    m1, m2, a2, b, a1 = numbers[0], numbers[1], numbers[2], numbers[3], numbers[9]
+    mass = 0 + math.frexp(m1 + m2)[1]  # of 64 bits, as are the units of a scene
+    time, length = (mass - math.frexp(a2)[1]) // 2, 0 + math.frexp(b * (m1 + m2) / (a2 * m2))[1]
+    m1, m2 = math.ldexp(m1, -mass), math.ldexp(m2, -mass)
     for i in range(4):
-        start[_X1 + i] = numbers[4 + i]
+        start[_X1 + i] = math.ldexp(numbers[4 + i], -length + (time if i % 2 else 0))
     start[_MODE] = np.sign(numbers[5] - numbers[7])
     start[_JUMP] = 1.0 if start[_MODE] == 0.0 else 0.0
-    return Bodies(m1, a1, a2, 1.0 / m1, 1.0 / m2, 1.0 / whole, m1 / whole, m2 / whole, 1.0)
+    a1, a2, whole = math.ldexp(a1, time - mass), math.ldexp(a2, 2 * time - mass), m1 + m2
+    bodies = Bodies(m1, a1, a2, 1.0 / m1, 1.0 / m2, 1.0 / whole, m1 / whole, m2 / whole, 1.0)
+    return bodies, (mass, time, length)
 
 
 @compilable
@@ -129,13 +123,15 @@ def is_new(work: Work, bodies: Bodies, longest: float) -> bool:
 
 
 @compilable
-def put_signals(numbers: Any, work: Work) -> None:
+def put_signals(numbers: Any, units: tuple[int, int, int], work: Work) -> None:
     """Write the length, the coefficients and the sines of a row."""
-    drive, terms = work.drive, work.drive.coefficients.shape[0] - 1
-    drive.length[0, 0], drive.coefficients[terms] = numbers[8], numbers[3]
+    (mass, time, place), drive, terms = units, work.drive, work.drive.coefficients.shape[0] - 1
+    force = mass + place - 2 * time
+    drive.length[0, 0] = math.ldexp(numbers[8], -time)
     for k in range(terms):
-        drive.coefficients[k] = numbers[NUMBERS + k]
+        drive.coefficients[k] = math.ldexp(numbers[NUMBERS + k], k * time - force)
+    drive.coefficients[terms] = math.ldexp(numbers[3], -force)
     for k in range(drive.sines.shape[0]):
         sine, first = drive.sines[k], NUMBERS + terms + 3 * k
-        sine[0, 0], sine[2, 0] = numbers[first], numbers[first + 2]
-        sine[1, 0] = work.asked[FIRST + terms + 2 + 2 * k] = numbers[first + 1]
+        sine[0, 0], sine[2, 0] = math.ldexp(numbers[first], -force), numbers[first + 2]
+        sine[1, 0] = work.asked[FIRST + terms + 2 + 2 * k] = math.ldexp(numbers[first + 1], time)

@@ -22,7 +22,7 @@ from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.ledger import TINY, ledger
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.prepare import Prepared, halves, prepare, rounded
-from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record
+from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
 from numerics.linear.room import space_for
 from numerics.linear.table import ORDERS, UNIT
 from numerics.scene import Scene
@@ -62,6 +62,8 @@ def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) 
     _require_answer(how, prepared, end)
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
+    if not compiled(finish)(rows, end, *prepared.units):
+        raise OutOfRange.of("a position, a velocity or an energy on the way", "float64")
     return Record(rows, end, How(how), int(end[AT["events"]]))
 
 
@@ -71,12 +73,15 @@ def ledger_of(scene: Scene, record: Record) -> tuple[NDArray[np.float64], list[i
     Without the rows, returned too, whose segments are too long for steps.
     """
     prepared, count = prepare(scene), len(record.rows) - (record.how == How.EVENT_LIMIT)
-    taken, space, long, first = np.zeros(7), space_for(prepared.problem.tables), list[int](), 0
-    while (first := compiled(ledger)(prepared.problem, space, record.rows, first, count, record.end, taken)) < count:
+    rows, end, taken, (mass, time, length) = record.rows.copy(), record.end.copy(), np.zeros(7), prepared.units
+    compiled(finish)(rows, end, -mass, -time, -length)
+    space, long, first = space_for(prepared.problem.tables), list[int](), 0
+    while (first := compiled(ledger)(prepared.problem, space, rows, first, count, end, taken)) < count:
         long.append(first)
         first += 1
-    taken[6] += TINY if taken[6] > 0.0 else 0.0
-    return taken, long
+    found = np.ldexp(taken, mass + 2 * length - 2 * time)
+    found[6] += TINY if taken[6] > 0.0 else 0.0
+    return found, long
 
 
 def _run(
@@ -113,7 +118,7 @@ def _from_exact(
         start[AT["how"]], start[AT["events"]] = How.EVENT_LIMIT, most
         return How.EVENT_LIMIT, rows, start
     start[AT["order"]], start[AT["jump"]] = min(order, _MOST_ORDER), 0.0
-    how, found, end = _run(prepared, start, rounded(last.quiet), most - len(events))
+    how, found, end = _run(prepared, start, halves(last.quiet, prepared.units.time)[0], most - len(events))
     found[:1, _OF_EXACT] = rows[-1, _OF_EXACT]
     piece = prepared.pieces[-1]
     if how == How.REACHED and last.mode == 0 and last.quiet == piece.length and len(piece.polynomial) <= 1:
@@ -123,16 +128,18 @@ def _from_exact(
 
 
 def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | None) -> NDArray[np.float64]:
-    """Return the rows of starts that are known exactly; their states are rounded once."""
-    rows, times = np.zeros((len(known), ROW)), [prepared.pieces[one.piece].start + one.local for one in known]
+    """Return the rows of starts that are known exactly, in the kernel's units; their states are rounded once."""
+    rows, units = np.zeros((len(known), ROW)), prepared.units
+    times, speed = [prepared.pieces[one.piece].start + one.local for one in known], units.of(length=1, time=-1)
     for row, one, t, before in zip(rows, known, times, [times[0], *times], strict=False):
         cell, order = 0, one.order
         if cells is not None:
             cell, order = _begun(cells, prepared.pieces[one.piece], one)
         row[: len(CODES)] = one.mode, order, one.is_event, one.is_jump, one.piece, cell
-        row[AT["local"] : AT["length"]] = halves(one.local)
-        row[AT["length"]] = rounded(t - before)
-        row[_STATE] = [rounded(form.rounded(256)) for form in one.state]
+        row[AT["local"] : AT["length"]] = halves(one.local, units.time)
+        row[AT["length"]] = rounded(t - before, units.time)
+        state = (form.rounded(256) for form in one.state)
+        row[_STATE] = [rounded(x, unit) for x, unit in zip(state, [units.length, speed] * 2, strict=True)]
     rows[:, AT["x1_error"] : AT["speed_error"]] = UNIT * np.abs(rows[:, _STATE])
     norm, (x1, v1, _, v2) = prepared.problem.norm, rows[:, AT["x1_error"] : AT["speed_error"]].T
     rows[:, AT["speed_error"]] = (norm.root_a2 * x1 + norm.root_m1 * v1 + norm.root_m2 * v2) / norm.root_m1
@@ -159,7 +166,8 @@ def _require_answer(how: int, prepared: Prepared, end: NDArray[np.float64]) -> N
         return
     if how == How.OUT_OF_RANGE:
         raise OutOfRange('a number of this scene left the range of float64 on the way; use arithmetic="ball"')
-    at = float(prepared.pieces[int(end[AT["piece"]])].start) + end[AT["local"]]
+    local = np.ldexp(end[AT["local"]], prepared.units.time)
+    at = float(prepared.pieces[int(end[AT["piece"]])].start) + local
     if how == TOO_MANY:
         raise OutOfRange(
             f"the mode at t = {at:.6g} s would take more than 400000 steps; shorten the horizon, leave a fast sine "

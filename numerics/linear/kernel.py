@@ -44,8 +44,6 @@ _MODE, _ORDER, _EVENT, _JUMP, _PIECE, _CELL = (AT[name] for name in CODES)
 _LOCAL, _REST, _LENGTH = (AT[name] for name in ("local", "local_rest", "length"))
 _X1, _LATE, _ERRORS = (AT[name] for name in ("x1", "late", "x1_error"))
 _HOW, _EVENTS = AT["how"], AT["events"]
-_LARGEST = 1e150
-"""Squares of numbers up to this one are floats, energies among them."""
 
 
 class Log(NamedTuple):
@@ -122,9 +120,8 @@ def begin(run: Run, start: Any) -> tuple[Now, StepEnd]:
 @compilable
 def arrive(run: Run, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[Now, StepEnd, int]:
     """Return where the run is at the end of a step, what happens there, and how it ends there if it does."""
-    y, norm, nothing = run.y, run.norm, StepEnd(NOTHING, 0.0)
-    size = norm.root_a2 * abs(y[0]) + norm.root_m1 * abs(y[1]) + norm.root_m2 * abs(y[3]) + now.N
-    if not (size < _LARGEST and abs(y[0]) + abs(y[2]) + abs(y[3]) < _LARGEST):
+    y, nothing = run.y, StepEnd(NOTHING, 0.0)
+    if not abs(y[0]) + abs(y[1]) + abs(y[2]) + abs(y[3]) + now.N < 1e300:
         return now, nothing, OUT_OF_RANGE
     if ahead.how == ROOT:
         h = run.tables.steps[place_of(run, now)]

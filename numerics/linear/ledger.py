@@ -13,7 +13,7 @@ import numpy as np
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import pair_of, plus, put, two_product
 from numerics.linear.first_root import value_slope
-from numerics.linear.model import V1, V2, X1, X2
+from numerics.linear.model import V1, V2, X1, X2, Norm
 from numerics.linear.record import AT
 from numerics.linear.room import Problem, Run, dot, enter, form_z, meeting, polynomial_of, run_of, size_of
 from numerics.linear.table import LINES, POWERS, STATE, UNIT
@@ -45,13 +45,13 @@ def ledger(problem: Problem, space: Any, rows: Any, first: int, count: int, end:
         row, after = rows[k], rows[k + 1] if k + 1 < count else end
         piece, mode = int(row[_PIECE]), int(row[_MODE])
         here = piece, mode, run.drive.places[piece, 0] + int(row[_CELL])
-        h, left, off = run.tables.steps[here[2], 1 if mode == 0 else 0], after[_LENGTH], off_in(run, after)
+        h, left, N = run.tables.steps[here[2], 1 if mode == 0 else 0], after[_LENGTH], off_in(run, after)
         taken[6] += at_event(run, row)
         if left > LONG * h:
             return k
         while left > 0.0:
             s = min(1.0, left / h)
-            step(run, here, s, off, taken)
+            step(run, here, s, N, taken)
             left = left - h if s == 1.0 else 0.0
     if count > 0:
         taken[6] += at_event(run, end)
@@ -59,14 +59,17 @@ def ledger(problem: Problem, space: Any, rows: Any, first: int, count: int, end:
 
 
 @compilable
-def off_in(run: Run, row: Any) -> tuple[float, float]:
-    """Return N of the error in a row, and what x1 - x2 is off by, of which friction may depend."""
-    return row[_ERROR] * run.norm.root_m1, row[_X1_ERROR] + row[_X1_ERROR + 2]
+def off_in(run: Run, row: Any) -> float:
+    """Return N of the error in a row; where friction has cells the root of m1 times what x1 - x2 is off by, if more."""
+    off = row[_ERROR]
+    if len(run.tables.ends) > 1:
+        off = max(off, row[_X1_ERROR] + row[_X1_ERROR + 2])
+    return off * run.norm.root_m1
 
 
 @compilable
-def step(run: Run, here: tuple[int, int, int], s: float, off: tuple[float, float], taken: Any) -> None:
-    """Add what is taken over a part of a step (in a piece, mode and kind) of a state that is off, and move on by it."""
+def step(run: Run, here: tuple[int, int, int], s: float, N: float, taken: Any) -> None:
+    """Add what is taken over a part of a step (in a piece, mode and kind), and move on by it; N of the error."""
     tables, (piece, mode, kind) = run.tables, here
     side = 1 if mode == 0 else 0
     h, powers, cut = tables.steps[kind, side], tables.lines[kind, side, POWERS:LINES], parts(tables.rows.shape[4])
@@ -85,8 +88,8 @@ def step(run: Run, here: tuple[int, int, int], s: float, off: tuple[float, float
             enter(run, piece, mode)
             weight = WEIGHTS[n] / cut * s * h
             for k in range(6):
-                one, a = factor(run, powers[2 * k], off)
-                two, b = factor(run, powers[2 * k + 1], off)
+                one, a = factor(run, powers[2 * k], N)
+                two, b = factor(run, powers[2 * k + 1], N)
                 taken[k] += weight * one * two
                 taken[6] += weight * (abs(one) * b + abs(two) * a + a * b)
     put(run.clock[0], plus(begun, two_product(s, h)))
@@ -104,7 +107,7 @@ def put_state(run: Run, s: float, h: float) -> None:
 @compilable
 def at_event(run: Run, row: Any) -> float:
     """Return twice what is at most taken while it is open whether a row's event has come: its mode may be any."""
-    piece, off, total = int(row[_PIECE]), off_in(run, row), 0.0
+    piece, N, total = int(row[_PIECE]), off_in(run, row), 0.0
     for i in range(STATE):
         run.y[i] = row[_X1 + i]
     run.clock[0, 0], run.clock[0, 1] = row[_LOCAL], row[_REST]
@@ -112,19 +115,25 @@ def at_event(run: Run, row: Any) -> float:
     form_z(run, piece)
     for side in range(2):
         for k in range(6):
-            one, a = factor(run, tables.lines[kind, side, POWERS + 2 * k], off)
-            two, b = factor(run, tables.lines[kind, side, POWERS + 2 * k + 1], off)
+            one, a = factor(run, tables.lines[kind, side, POWERS + 2 * k], N)
+            two, b = factor(run, tables.lines[kind, side, POWERS + 2 * k + 1], N)
             total += 2.0 * (abs(one) + a) * (abs(two) + b)
     return float(row[_LATE] * total)
 
 
 @compilable_with(forceinline=False)
-def factor(run: Run, row: Any, off: tuple[float, float]) -> tuple[float, float]:
-    """Return the value of a row, and by how much it may be off: x2 counts together with x1."""
-    norm, N, reach = run.norm, off[0], abs(row[X2]) * off[1] + 32.0 * UNIT * size_of(row, run.size)
-    reach += abs(row[V1]) * N / norm.root_m1
+def factor(run: Run, row: Any, N: float) -> tuple[float, float]:
+    """Return the value of a row, and by how much it may be off."""
+    off = reach(run.norm, row) * N + 32.0 * UNIT * size_of(row, run.size)
+    return dot(row, run.z), off
+
+
+@compilable
+def reach(norm: Norm, row: Any) -> float:
+    """Return by how much a row may be off for N = 1."""
+    found = (abs(row[V1]) + abs(row[X2])) / norm.root_m1
     if norm.root_a2 > 0.0:
-        reach += abs(row[X1]) * N / norm.root_a2
+        found += abs(row[X1]) / norm.root_a2
     if norm.root_m2 > 0.0:
-        reach += abs(row[V2]) * N / norm.root_m2
-    return dot(row, run.z), reach
+        found += abs(row[V2]) / norm.root_m2
+    return found

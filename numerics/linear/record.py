@@ -7,8 +7,13 @@ units; every number is that of its arithmetic, for balls an enclosure of the tru
 
 from __future__ import annotations
 
+import math
 from enum import IntEnum
 from typing import Any, NamedTuple
+
+import numpy as np
+
+from numerics.arithmetic.compiled import compilable_with
 
 CODES = ("mode", "order", "event", "jump", "piece", "cell")
 """Floats: the mode that starts (-1, 0, +1: the sign of v1 - v2), how many derivatives of its guard vanish at its start,
@@ -30,6 +35,42 @@ AT = {name: index for index, name in enumerate((*COLUMNS, *END))}
 ROW, END_ROW = len(COLUMNS), len(COLUMNS) + len(END)
 UNKNOWN = -1
 """How a row of a batch ended that compiled code leaves to a run of its own."""
+
+
+_FRICTION, _X1, _V2 = AT["friction"], AT["x1"], AT["v2"]
+_LARGEST = 1020
+"""Energies up to 2 to this power (J) are numbers of binary64."""
+_OF_DIMENSION = (
+    (),
+    ("local", "local_rest", "length", "late"),
+    ("x1", "x2"),
+    ("v1", "v2", "speed"),
+    ("friction", "viscous", "force", "force_2", "belt", "wall", "ledger"),
+)
+_DIMENSION = {name: index for index, names in enumerate(_OF_DIMENSION) for name in names}
+DIMENSION = np.array([_DIMENSION.get(name.removesuffix("_error"), 0) for name in AT])
+"""Of each column: 0 none, 1 time, 2 length, 3 speed, 4 energy; of bounds, that of their number."""
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def finish(rows: Any, end: Any, mass: int, time: int, length: int) -> bool:
+    """Bring a run, its rows and the row of its end, from units of 2^mass kg, 2^time s and 2^length m into SI units.
+
+    Exact; return whether all its numbers, and energies on the way, are finite; a ledger may be nan.
+    """
+    is_finite, most, exponents = True, 1.0, np.array([0, time, length, length - time, mass + 2 * length - 2 * time])
+    # a power may be too large for a float, its root is not
+    root, rest = np.ldexp(1.0, exponents // 2), np.ldexp(1.0, (exponents + 1) // 2)
+    for table in (rows, end.reshape(1, -1)):
+        for k in range(table.shape[1]):
+            one, two, may_miss = root[DIMENSION[k]], rest[DIMENSION[k]], k >= _FRICTION
+            for n in range(table.shape[0]):
+                if _X1 <= k <= _V2:
+                    most = max(most, abs(table[n, k]))
+                number = table[n, k] * one * two
+                is_finite = is_finite and (math.isfinite(number) or (may_miss and math.isnan(number)))
+                table[n, k] = number
+    return is_finite and 2.0 * math.log2(most) + exponents[-1] <= _LARGEST
 
 
 class How(IntEnum):

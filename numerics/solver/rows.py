@@ -122,7 +122,7 @@ def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats, goes_on:
 
     A scene in doubt `goes_on` in balls, as in `solve`.
     """
-    kept[:] = end[:] = np.nan  # also what compiled code wrote before it left the row to this
+    kept[:] = end[:] = np.nan  # also what compiled code wrote, in units of its own, before it left the row to this
     try:
         try:
             found = run_scene(scene, _FLOAT64, max_events)

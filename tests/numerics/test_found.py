@@ -26,7 +26,6 @@ from numerics import (
 from numerics.control.response import response
 from numerics.trajectory.comparison import require_same_sequence
 from numerics.trajectory.run import free_scene
-from numerics.trajectory.status import Status
 
 
 @given(scenes(EXTREME, None, (-12, 12)), st.sampled_from(["float64", "ball"]))
@@ -57,7 +56,7 @@ def test_a_zero_through_square_roots_is_no_tie(scene):
 
 def test_energies_below_the_normal_numbers_have_no_digits_to_claim():
     assert solve(Scene(Pair(1, 1, 1, "1e-160"), State(v1="3e-160"), until=4), digits=8).arithmetic.name != "float64"
-    assert solve_many(1, 1, 1, 1e-158, v1=3e-158, until=4).status == Status.OUT_OF_RANGE
+    assert solve_many(1, 1, 1, 1e-158, v1=3e-158, until=4).dissipated_error > 0
 
 
 def test_a_slip_of_many_turns_costs_no_digits():
