@@ -131,6 +131,20 @@ def test_where_more_time_brings_nothing_the_peak_that_the_end_needs_is_named(pai
         planned(pair, distance, time, least="peak")
 
 
+@pytest.mark.parametrize(
+    ("pair", "distance", "time"),
+    [
+        (Pair(1, 1, 200, "0.5", 30), "0.006", 10),
+        (Pair("0.379", "9.269", "5.552", "0.109", "9.931"), "0.049368", "6.09448"),
+        (Pair("0.302", "0.231", "16.882", "0.108", "4.513"), "0.053881", "1.07346"),
+    ],
+)
+def test_a_motion_that_would_have_to_brake_slower_than_it_comes_to_rest_is_none(pair, distance, time):
+    """@example of a wrong least peak: brakes of a negative time were left out, and the pair did not arrive."""
+    with Ball(60).context():
+        assert LeastPeak(pair, Fraction(distance), Fraction(time)).waiting() is None
+
+
 @pytest.mark.parametrize(("kind", "far"), [(LeastEnergy, "0.001"), (LeastPeak, "0.004")])
 def test_the_bound_holds_for_wrong_forces_too_and_shows_them(kind, far):
     """What is proved does not rest on the search: another force, nu or mu has a bound that is true, and a gap."""
