@@ -156,8 +156,9 @@ class _Writer:
         """Return the file; the last of the times is the end."""
         events, last = [], trajectory.final_mode
         for event, time in zip(trajectory.events, times, strict=False):
-            jump = event.cause == "jump"
-            self._pass(time, event.before, jump=jump)
+            jump, since = event.cause == "jump", [one.since for one in self.later]
+            # the float of a jump's time may lie in front of it
+            self._pass(min(since, key=lambda one: abs(one - time)) if jump else time, event.before, jump=jump)
             if jump:
                 self._rest(event.before, self.later[0].since, "Rest {bits} {until} {least} Breaks")
                 self.run.spell = self.later.pop(0)
@@ -184,7 +185,7 @@ class _Writer:
             depth=DEPTH,
         )
 
-    def _pass(self, time: float, mode: Mode, *, jump: bool) -> None:
+    def _pass(self, time: float | Fraction, mode: Mode, *, jump: bool) -> None:
         """Go through the spells that end before a time; if there is a jump, the one that ends with it stays."""
         ending = [one for one in self.later if one.since <= time]
         for one in ending[: len(ending) - jump]:
