@@ -88,6 +88,12 @@ def test_regime_and_attraction_on_both_sides_of_a_threshold(pair, amplitude, ome
         assert abs(found.growth - (arb(amplitude) - 2 / arb.pi()) / 2) < 1e-10
 
 
+def test_two_sines_at_resonance_grow_by_their_sum():
+    force = Force.sine("0.8", 10) + Force.sine("0.8", 10, 1)
+    growth = response(Scene(Pair(1, 1, 100, "0.5"), State(), 1, force=force), digits=8).growth
+    assert abs(growth - (arb("1.6") * arb("0.5").cos() - 2 / arb.pi()) / 2) < 1e-8
+
+
 def test_a_motion_that_attracts_is_the_only_one_and_drifts_only_under_a_force_that_is_not_odd():
     """Without a damper and without a stop its multipliers, all below 1, prove it; another start gets there."""
     damped, free = (answer(pair, "2") for pair in (DAMPED, FREE))
