@@ -252,8 +252,7 @@ class _Writer:
     def _for_ever(self) -> bool:
         """Go on in a stick that does not end until its energy shows that; return whether that is shown."""
         scene, force = self.scene, self.run.spell.force
-        changes = max((*scene.force.starts, *scene.friction.starts), default=Fraction(0)) >= scene.until
-        if changes or force.tones or any(force.polynomial[1:]):
+        if force.tones or any(force.polynomial[1:]):
             return False
         least = Fraction(f"{math.sqrt(scene.pair.mass / scene.pair.a2) / 8:.1g}")
         for doubling in range(DOUBLINGS if scene.pair.a1 else 1):
