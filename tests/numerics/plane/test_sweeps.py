@@ -81,13 +81,3 @@ def test_a_sweep_is_interrupted():
     _, errors = process.communicate(timeout=60)
     assert process.returncode != 0
     assert errors.rstrip().endswith("KeyboardInterrupt")
-
-
-def test_a_sweep_is_drawn():
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    found = solve_scenes(PUSHED, jobs=1)
-    ax = found.plot("events", along=[1, 2, 3])
-    assert ax.lines[0].get_ydata().tolist() == found.events.tolist()
-    starts = [PlaneScene(PAIR, "0.1", x1=[x, 0]) for x in ("0.012", "0.002")]
-    assert solve_scenes(starts, jobs=1).plot().get_xlabel() == "x1 x (m)"
-    pyplot.close("all")
