@@ -161,8 +161,9 @@ def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
 
 
 def _of_a_line(events: list[dict[str, str]]) -> list[str]:
-    """Return events (where v1 = v2) below a head."""
-    rows = [("event", "t (s)", "x1 (m)", "v1 = v2 (m/s)", "x2 (m)")]
+    """Return events below a head; v1 = v2 there, but where a belt jumps."""
+    speed = "v1 = v2 (m/s)" if all(one["v1"] == one["v2"] for one in events) else "v1 (m/s)"
+    rows = [("event", "t (s)", "x1 (m)", speed, "x2 (m)")]
     rows += [(f"{one['from']} to {one['to']}", one["t"], one["x1"], one["v1"], one["x2"]) for one in events]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows] if events else []

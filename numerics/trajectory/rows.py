@@ -201,7 +201,13 @@ class Rows(Answer):
             raise ValueError(
                 f"t = {shown} s is outside the solved time [0, {end:g}] s; give one within it, or solve further"
             )
-        return t if own else self.arithmetic.number(exact)
+        return t if own else self._begun.get(exact, self.arithmetic.number(exact))
+
+    @cached_property
+    def _begun(self) -> dict[Fraction, Number]:
+        """Return the times of the rows that begin with a piece, as they stand there, by their exact values."""
+        rows = zip(self.row_pieces, self.row_column("local"), self.row_times, strict=False)
+        return {self.pieces[piece].start: t for piece, local, t in rows if local == 0}
 
     def _middles(self, times: Array) -> Array:
         """Return times themselves, or midpoints of balls: floats would not tell the ends of a short slip apart."""
@@ -225,8 +231,8 @@ class Rows(Answer):
         """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, ...) for an array.
 
         t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
-        such as the time of an event; `side` says which segment answers at an event, where the state is continuous but
-        the accelerations jump. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
+        such as the time of an event; `side` says which segment answers at an event or a jump, where accelerations
+        jump, and on a belt v2. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
         outside [0, end].
         """
         with self.context():
@@ -254,9 +260,9 @@ class Rows(Answer):
             return function(rows, self._since(times, rows))
         for time, row in zip(times, rows.tolist(), strict=True):
             first, after = row, row + 1  # this one holds its middle
-            while first > 0 and not (starts[first] < time or starts[first] == time):  # both exact
+            while first > 0 and not (starts[first] < time or starts[first] is time or starts[first] == time):
                 first -= 1
-            while after < len(starts) and not (time < starts[after] or time == starts[after]):
+            while after < len(starts) and not (time < starts[after] or starts[after] is time or time == starts[after]):
                 after += 1
             held = np.arange(first, after)
             found.append(reduce(_union, function(held, time - starts[held]).T))

@@ -47,6 +47,14 @@ def test_a_wall_that_jumps_gives_its_work_at_once(start):
         assert abs(run.floats(run.ledger.residual)) < 1e-14
 
 
+@pytest.mark.parametrize("arithmetic", ["float64", "ball"])
+def test_at_a_jump_of_the_belt_a_side_answers(arithmetic):
+    belt = Force.constant("0.3") + Force.step("2.3", "-0.6")
+    run = solve(Scene(Pair(2, "inf", 80, 3), State(), "2.4", belt=belt), arithmetic=arithmetic)
+    for t in (run.events[-1].t, "2.3"):
+        assert [float(run.floats(run.sol(t, side)[3])) for side in ("left", "right")] == [0.3, -0.3]
+
+
 def test_a_pair_without_a_spring_has_no_excess_and_says_so():
     run = solve(SCENES["no-spring"])
     assert np.isnan(run.energy_excess).all()
