@@ -7,7 +7,6 @@ residual.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -199,7 +198,7 @@ def energy_in_floats(run: Rows, rows: Counts, t: Floats, y: Floats) -> Floats:
 
 def wall_in_floats(run: Rows, rows: Counts, t: Floats) -> Floats:
     """Return the displacement of the wall at times in the segments of rows, m: where it jumps, as these say."""
-    wall, starts, found = run.scene.wall, [*(one.start for one in run.pieces), math.inf], 0.0 * t
+    wall, starts, found = run.scene.wall, [*(one.start for one in run.pieces), run.scene.until], 0.0 * t
     for n, k in enumerate(run.row_pieces[rows] if wall.pieces else ()):
         time = max(Fraction(t[n]), starts[k])
         found[n] = float(wall(time) if time < starts[k + 1] else wall(starts[k + 1], -1))

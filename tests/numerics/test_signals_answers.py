@@ -45,6 +45,7 @@ def test_a_wall_that_jumps_gives_its_work_at_once(start):
         run = solve(scene, arithmetic=arithmetic)
         assert run.floats([run.ledger.wall, run.energy[1]]) == pytest.approx(100 * 0.02**2, rel=1e-9)
         assert abs(run.floats(run.ledger.residual)) < 1e-14
+        assert solve(scene.replace(until=start), arithmetic=arithmetic).final_energy == 0  # at its end it is not there
 
 
 @pytest.mark.parametrize("arithmetic", ["float64", "ball"])
