@@ -136,7 +136,8 @@ def _table(trajectory: Any, *, whole: bool) -> list[str]:
     left_out = 0 if whole else max(0, count - 2 * SHOWN)
     found = as_record(trajectory, [*range(SHOWN), *range(count - SHOWN, count)] if left_out else None)
     events = [{"event": f"{one['from']} to {one['to']}", **by_axes(one)} for one in found["events"]]
-    head = {"event": "event", "t": "t (s)", "x1": "x1 (m)", "v1": "v1 = v2 (m/s)", "x2": "x2 (m)"}
+    speed = "v1 = v2 (m/s)" if all(one["v1"] == one["v2"] for one in found["events"]) else "v1 (m/s)"
+    head = {"event": "event", "t": "t (s)", "x1": "x1 (m)", "v1": speed, "x2": "x2 (m)"}
     head |= {f"direction_{axis}": f"direction {axis}" for axis in AXES}
     names = [name for name in head if name in {*chain(*events)}]
     rows = [[one[name] for name in names] for one in (head, *events)]

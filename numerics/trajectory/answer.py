@@ -8,6 +8,7 @@ from contextlib import AbstractContextManager
 from fractions import Fraction
 from importlib import import_module
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Literal, Self, TypeVar, overload
 
 import numpy as np
@@ -74,6 +75,8 @@ class Answer(Helpful, Generic[M]):
     final_state: tuple[Any, ...]
     _own_rows: Any = None
     """The segments of `t`, where they are known."""
+    _begun: Any = MappingProxyType({})
+    """The times at which pieces of signals begin, as they stand in a run, by their exact values."""
     _all_modes: tuple[M, ...]
     """Those before, between and after all events."""
     digits: int | None = None
@@ -170,8 +173,8 @@ class Answer(Helpful, Generic[M]):
         """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4 n,) for a number, (4 n, ...) for an array.
 
         t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
-        such as the time of an event; `side` says which segment answers at an event, where the state is continuous but
-        the accelerations jump. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
+        such as the time of an event; `side` says which segment answers at an event or a jump, where accelerations
+        jump, and on a belt v2. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
         outside [0, end].
         """
         with self.context():
@@ -225,7 +228,7 @@ class Answer(Helpful, Generic[M]):
             raise ValueError(
                 f"t = {shown} s is outside the solved time [0, {end:g}] s; give one within it, or solve further"
             )
-        return t if own else self.arithmetic.number(exact)
+        return t if own else self._begun.get(exact, self.arithmetic.number(exact))
 
     def _points(self, times: Array) -> Array:
         """Return times themselves, or midpoints of balls: floats would not tell the ends of a short slip apart."""

@@ -6,6 +6,7 @@ Which row's segment holds a time, and the motion from that row's state (flow.py)
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 from functools import reduce
 from typing import TYPE_CHECKING, Any
 
@@ -174,6 +175,11 @@ class Rows(Answer[Mode]):
 
     # ------------------------------------------------------------------ times
     @cached_property
+    def _begun(self) -> dict[Fraction, Number]:
+        rows = zip(self.row_pieces, self.row_column("local"), self.row_times, strict=False)
+        return {self.pieces[piece].start: t for piece, local, t in rows if local == 0}
+
+    @cached_property
     def _row_points(self) -> Array:
         """Return when each row's segment begins, s, as points: those of the events, so that each finds its segments."""
         return self._points(self.row_times)
@@ -200,9 +206,9 @@ class Rows(Answer[Mode]):
             return function(rows, self._since(times, rows))
         for time, row in zip(times, rows.tolist(), strict=True):
             first, after = row, row + 1  # this one holds its middle
-            while first > 0 and not (starts[first] < time or starts[first] == time):  # both exact
+            while first > 0 and not (starts[first] < time or starts[first] is time or starts[first] == time):
                 first -= 1
-            while after < len(starts) and not (time < starts[after] or time == starts[after]):
+            while after < len(starts) and not (time < starts[after] or starts[after] is time or time == starts[after]):
                 after += 1
             held = np.arange(first, after)
             found.append(reduce(_union, function(held, time - starts[held]).T))
