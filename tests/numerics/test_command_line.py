@@ -72,6 +72,16 @@ def test_the_table_and_the_list(run):
     assert run("--version")[1].split()[0] == "inertial-pair"
 
 
+def test_where_a_belt_jumps_the_velocities_differ_and_one_side_answers(run, scene_file):
+    scene_file.write_text("""
+        pair = { m1 = 2, m2 = "inf", a2 = 80, b = 3 }
+        belt = [{ polynomial = ["0.3"] }, { from = "2.3", polynomial = ["-0.3"] }]
+        run = { until = "2.4" }""")
+    assert "  v1 (m/s)  " in run("solve", scene_file)[1]
+    assert "  v1 = v2 (m/s)  " in run("solve", "belt")[1]
+    assert float(run("solve", scene_file, "--times", "2.3:2.3:1")[1].splitlines()[1].split(",")[5]) == -0.3
+
+
 @pytest.mark.parametrize(("text", "code", "said"), [(SCENE, 0, ""), ("m1 = ", 2, "standard input is not a TOML scene")])
 def test_a_scene_is_read_from_standard_input(run, monkeypatch, scene_file, text, code, said):
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(text.encode())))
