@@ -174,8 +174,8 @@ class Answer(Helpful, Generic[M]):
 
         t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
         such as the time of an event; `side` says which segment answers at an event or a jump, where accelerations
-        jump, and on a belt v2. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
-        outside [0, end].
+        jump, and on a belt v2. Enclosures for balls: where another ball of times may be on both sides, both answer.
+        Raises ValueError outside [0, end].
         """
         with self.context():
             given = self._times(t)
