@@ -45,7 +45,7 @@ Proof.
     assert (Fj : 0 < INR (fact j)) by (apply lt_0_INR, lt_O_fact). assert (Sj : 0 < INR (S j)) by (apply lt_0_INR; lia).
     assert (Up : forall u, 0 <= u < d -> Rabs (P (S i) u) <= A * INR (S j) * u ^ j).
     { intros u Hu. eapply Rle_trans; [apply IH; auto|]. apply Req_le. unfold A.
-      replace (fact (S j)) with (S j * fact j)%nat by reflexivity. rewrite mult_INR. field. lra. }
+      replace (fact (S j)) with (S j * fact j)%nat by reflexivity. rewrite mult_INR. field; lra. }
     destruct (mean i _ _ 0 h ltac:(lra) ltac:(lra) (Dg 1 ltac:(auto))) as (u & Hu & E).
     destruct (mean i _ _ 0 h ltac:(lra) ltac:(lra) (Dg (-1) ltac:(auto))) as (q & Hq & E').
     pose proof (Up u ltac:(lra)) as U1. pose proof (Up q ltac:(lra)) as U2. rewrite Z, pow_i in E, E' by lia.
@@ -70,21 +70,14 @@ Qed.
 Lemma rising k n : k = 1 \/ k = -1 -> 0 < k * P n 0 -> (forall i, (i < n)%nat -> P i 0 = 0) ->
   exists c, 0 < c <= d /\ forall i, (i <= n)%nat -> forall h, 0 < h < c -> 0 < k * P i h.
 Proof.
-  intros Hk Pn Z. assert (Near : exists c, 0 < c <= d /\ forall h, 0 <= h < c -> 0 < k * P n h).
-  { assert (Cp : continuity_pt (fun h => k * P n h) 0).
-    { apply derivable_continuous_pt. exists (k * P (S n) 0). apply is_derive_Reals, is_derive_scal, DP. lra. }
-    destruct (Cp (k * P n 0) Pn) as (c & Hc & Q). exists (Rmin c d). pose proof (Rmin_l c d). pose proof (Rmin_r c d).
-    split; [split; [positive|auto]|]. intros h Hh. destruct (Req_dec h 0) as [->|N]; auto.
-    specialize (Q h). simpl in Q. unfold R_dist in Q. rewrite Rminus_0_r, (Rabs_pos_eq h) in Q by lra.
-    assert (D : Rabs (k * P n h - k * P n 0) < k * P n 0) by (apply Q; split; [split; [exact I|auto]|lra]).
-    apply Rabs_def2 in D. lra. }
-  destruct Near as (c & Hc & Near). exists c. split; auto. intros i Hi. remember (n - i)%nat as j eqn:Ej.
-  revert i Hi Ej. induction j as [|j IH]; intros i Hi Ej h Hh.
-  - replace i with n by lia. apply Near. lra.
+  intros Hk Pn Z. destruct (continuous_near (fun h => k * P n h) 0 (k * P n 0)) as (c & Hc & Near); auto.
+  { apply @ex_derive_continuous. exists (k * P (S n) 0). apply is_derive_scal, DP. lra. }
+  exists (Rmin c d). pose proof (Rmin_l c d). pose proof (Rmin_r c d). split; [split; [positive|auto]|]. intros i Hi.
+  remember (n - i)%nat as j eqn:Ej. revert i Hi Ej. induction j as [|j IH]; intros i Hi Ej h Hh.
+  - replace i with n by lia. specialize (Near h ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in Near. lra.
   - destruct (mean i (fun _ => 0) (fun _ => 0) 0 h ltac:(lra) ltac:(lra)) as (u & Hu & E).
     { intros u _. auto_derive; auto. }
-    rewrite (Z i) in E by lia. pose proof (IH (S i) ltac:(lia) ltac:(lia) u ltac:(lra)) as Pu.
-    replace (P i h) with (P (S i) u * h) by lra. rewrite <- Rmult_assoc. positive.
+    rewrite (Z i) in E by lia. pose proof (IH (S i) ltac:(lia) ltac:(lia) u ltac:(lra)) as Pu. nra.
 Qed.
 
 (** one that never falls stays *)
@@ -114,49 +107,12 @@ Proof.
       intros h Hh. specialize (Q 0%nat ltac:(lia) h Hh). lra.
   - assert (Z : forall i, P i 0 = 0) by (intros i; apply NNPP; intros N; apply No; exists i; auto).
     exists (Rmin d (/ (2 * K))). pose proof (Rmin_l d (/ (2 * K))). pose proof (Rmin_r d (/ (2 * K))).
-    assert (0 < / (2 * K)) by positive. split; [split; [positive|auto]|]. right.
-    assert (F : forall h, 0 <= h < Rmin d (/ (2 * K)) -> P 0%nat h = 0).
+    split; [split; [positive|auto]|]. right. assert (F : forall h, 0 <= h < Rmin d (/ (2 * K)) -> P 0%nat h = 0).
     { intros h Hh. apply (flat C K); auto; [lra|]. replace (/ 2) with (K * / (2 * K)) by (field; lra).
       apply Rmult_le_compat_l; lra. }
     intros h h' Hh Hh'. rewrite !F by lra. lra.
 Qed.
 End Derivatives.
-
-(** a function that is analytic at t goes one way next to it, on either side *)
-Theorem analytic_one_way f t e : e = 1 \/ e = -1 -> analytic_at f t -> one_way f t e.
-Proof.
-  intros He (P & d & C & K & Hd & HC & HK & P0 & DP).
-  assert (E0 : Rabs e = 1) by (unfold Rabs; destruct Rcase_abs; lra).
-  assert (In : forall h, 0 <= h < d -> Rabs (t + e * h - t) < d).
-  { intros h Hh. replace (t + e * h - t) with (e * h) by ring. rewrite Rabs_mult, E0, (Rabs_pos_eq h); lra. }
-  assert (E1 : forall i, Rabs (e ^ i) = 1).
-  { intros i. rewrite <- RPow_abs, E0. apply pow1. }
-  (* the derivatives along the way, of f less its value at t *)
-  set (Q := fun i h => match i with O => P 0%nat (t + e * h) - P 0%nat t | S _ => e ^ i * P i (t + e * h) end).
-  destruct (rises_or_not Q d Hd) with (C := 2 * C) (K := K) as (c & Hc & W); try lra.
-  - intros i h Hh. destruct (DP i _ (In h Hh)) as (D & _). assert (Ch : is_derive (fun h => P i (t + e * h)) h (e * P
-    (S i) (t + e * h))).
-    { apply (is_derive_comp (P i) (fun h => t + e * h)); auto. auto_derive; auto; ring. }
-    destruct i as [|i].
-    + unfold Q. rewrite pow_1. apply (is_derive_ext (fun h => P 0%nat (t + e * h) + - P 0%nat t)); [reflexivity|].
-      replace (e * P 1%nat (t + e * h)) with (e * P 1%nat (t + e * h) + 0) by ring.
-      apply (is_derive_plus (fun h => P 0%nat (t + e * h)) (fun _ => - P 0%nat t)); [auto|auto_derive; auto].
-    + unfold Q. replace (e ^ S (S i) * P (S (S i)) (t + e * h)) with (e ^ S i * (e * P (S (S i)) (t + e * h))) by
-      (simpl; ring). apply (is_derive_scal (fun h => P (S i) (t + e * h))); auto.
-  - intros i h Hh. destruct (DP i _ (In h Hh)) as (_ & B). assert (0 <= C * K ^ i * INR (fact i)).
-    { apply Rmult_le_pos; [apply Rmult_le_pos; [lra|apply pow_le; lra]|apply pos_INR]. }
-    destruct i as [|i]; unfold Q.
-    + destruct (DP 0%nat t ltac:(rewrite Rminus_diag_eq, Rabs_R0; auto)) as (_ & B0). simpl in *.
-      eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
-    + rewrite Rabs_mult, E1, Rmult_1_l. nra.
-  - unfold Q. rewrite Rmult_0_r, Rplus_0_r. ring.
-  - assert (F : forall h, 0 <= h < c -> Q 0%nat h = f (t + e * h) - f t).
-    { intros h Hh. unfold Q. rewrite P0 by (apply In; lra). f_equal. f_equal. apply P0.
-      rewrite Rminus_diag_eq, Rabs_R0; auto. }
-    exists c. split; [lra|]. destruct W as [W|W]; [left|right].
-    + intros h Hh. specialize (W h Hh). rewrite F in W by lra. lra.
-    + intros h h' Hh Hh'. specialize (W h h' Hh Hh'). rewrite !F in W by lra. lra.
-Qed.
 
 (** *** Which functions are analytic *)
 
@@ -171,18 +127,16 @@ Qed.
 Lemma analytic_derive f t : analytic_at f t -> exists l, is_derive f t l.
 Proof.
   intros (P & d & C & K & Hd & HC & HK & P0 & DP). exists (P 1%nat t).
-  apply is_derive_ext_loc with (P 0%nat); [|apply DP; rewrite Rminus_diag_eq, Rabs_R0; auto].
-  exists (mkposreal d Hd). intros r Hr. apply P0. exact Hr.
+  apply is_derive_ext_loc with (P 0%nat); [|apply DP; rewrite Rminus_diag_eq, Rabs_R0; auto]. exists (mkposreal d Hd).
+  auto.
 Qed.
 
 (** so it is continuous *)
 Lemma analytic_continuous f t : analytic_at f t -> forall e, 0 < e -> exists d, 0 < d /\
   forall r, Rabs (r - t) < d -> Rabs (f r - f t) < e.
 Proof.
-  intros A e He. destruct (analytic_derive f t A) as (l & D).
-  destruct (derivable_continuous_pt f t) with (eps := e) as (d & Hd & Q); [exists l; apply is_derive_Reals, D|auto|].
-  exists d. split; auto. intros r Hr. destruct (Req_dec r t) as [->|N]; [rewrite Rminus_diag_eq, Rabs_R0; auto|].
-  apply Q. split; [split; [exact I|auto]|exact Hr].
+  intros A e He. destruct (analytic_derive f t A) as (l & D). apply continuous_near; auto. apply @ex_derive_continuous.
+  exists l. exact D.
 Qed.
 
 Lemma analytic_plus f g t : analytic_at f t -> analytic_at g t -> analytic_at (fun r => f r + g r) t.
@@ -206,7 +160,7 @@ Proof.
   intros (P & d & C & K & Hd & HC & HK & P0 & DP). pose proof (Rabs_pos c).
   exists (fun i r => c * P i r), d, ((Rabs c + 1) * C), K. split; auto. split; [positive|]. split; auto.
   split; [intros r Hr; rewrite P0; auto|]. intros i r Hr. destruct (DP i r Hr) as (D & B).
-  split; [apply is_derive_scal; auto|]. rewrite Rabs_mult, !Rmult_assoc. rewrite Rmult_assoc in B.
+  split; [apply is_derive_scal; auto|]. rewrite Rabs_mult, !Rmult_assoc.
   apply Rmult_le_compat; auto using Rabs_pos; lra.
 Qed.
 
@@ -221,18 +175,14 @@ Qed.
 Lemma analytic_primitive f f' t : (forall r, is_derive f r (f' r)) -> analytic_at f' t -> analytic_at f t.
 Proof.
   intros D (P & d & C & K & Hd & HC & HK & P0 & DP).
-  destruct (derivable_continuous_pt f t) with (eps := 1) as (d' & Hd' & Q);
-    [exists (f' t); apply is_derive_Reals, D|lra|].
-  assert (Near : forall r, Rabs (r - t) < d' -> Rabs (f r) <= Rabs (f t) + 1).
-  { intros r Hr. destruct (Req_dec r t) as [->|N]; [lra|]. assert (L : Rabs (f r - f t) < 1).
-    { apply Q. split; [split; [exact I|auto]|exact Hr]. }
-    pose proof (Rabs_triang_inv (f r) (f t)). lra. }
+  destruct (continuous_near f t 1) as (d' & Hd' & Near); [apply @ex_derive_continuous; exists (f' t); apply D|lra|].
   set (K' := Rmax K 1). assert (K <= K') by apply Rmax_l. assert (1 <= K') by apply Rmax_r.
   set (C' := Rabs (f t) + 1 + C). pose proof (Rabs_pos (f t)).
-  exists (fun i => match i with O => f | S i => P i end), (Rmin d d'), C', K'.
-  pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). split; [positive|].
-  split; [unfold C'; lra|]. split; [lra|]. split; [auto|]. intros i r Hr. destruct i as [|i].
-  - split; [rewrite P0 by lra; apply D|]. simpl. rewrite !Rmult_1_r. specialize (Near r ltac:(lra)). unfold C'. lra.
+  exists (fun i => match i with O => f | S i => P i end), (Rmin d d'), C', K'. pose proof (Rmin_l d d').
+  pose proof (Rmin_r d d'). split; [positive|]. split; [unfold C'; lra|]. split; [lra|]. split; [auto|]. intros i r Hr.
+  destruct i as [|i].
+  - split; [rewrite P0 by lra; apply D|]. simpl. rewrite !Rmult_1_r. specialize (Near r ltac:(lra)).
+    pose proof (Rabs_triang_inv (f r) (f t)). unfold C'. lra.
   - destruct (DP i r ltac:(lra)) as (Di & B). split; auto. eapply Rle_trans; [exact B|].
     assert (Pw : 0 < K ^ i) by positive. assert (0 <= INR (fact i)) by apply pos_INR.
     assert (INR (fact i) <= INR (fact (S i))) by (apply le_INR, fact_le; lia). assert (K ^ i <= K' ^ S i).
@@ -259,20 +209,41 @@ Proof.
   - rewrite Rmult_1_l, Rabs_mult, <- RPow_abs. pose proof (pow_le (Rabs om) i (Rabs_pos _)).
     pose proof (pow_incr (Rabs om) (Rabs om + 1) i ltac:(lra)).
     assert (1 <= INR (fact i)) by (apply (le_INR 1), lt_O_fact).
-    pose proof (Rabs_pos (sin (om * r + phi + INR i * (PI / 2)))).
     assert (Rabs (sin (om * r + phi + INR i * (PI / 2))) <= 1) by (apply Rabs_le, SIN_bound). nra.
 Qed.
 
-(** a function that runs earlier by T *)
+(** a function that runs from a on, forwards or backwards *)
+Lemma analytic_from f a e t : e = 1 \/ e = -1 -> analytic_at f (a + e * t) -> analytic_at (fun r => f (a + e * r)) t.
+Proof.
+  intros He (P & d & C & K & Hd & HC & HK & P0 & DP). exists (fun i r => e ^ i * P i (a + e * r)), d, C, K.
+  assert (E1 : forall i, Rabs (e ^ i) = 1).
+  { intros i. rewrite <- RPow_abs. replace (Rabs e) with 1 by (unfold Rabs; destruct Rcase_abs; lra). apply pow1. }
+  assert (In : forall r, Rabs (r - t) < d -> Rabs (a + e * r - (a + e * t)) < d).
+  { intros r. replace (a + e * r - (a + e * t)) with (e ^ 1 * (r - t)) by ring. rewrite Rabs_mult, E1. lra. }
+  repeat (split; [assumption|]). split; [intros r Hr; rewrite P0 by auto; ring|]. intros i r Hr.
+  destruct (DP i _ (In r Hr)) as (D & B). split; [|rewrite Rabs_mult, E1, Rmult_1_l; auto]. evar_last.
+  { apply is_derive_scal, (is_derive_comp (P i) (fun r => a + e * r)); [exact D|auto_derive; auto]. }
+  unfold scal; simpl. unfold mult; simpl. ring.
+Qed.
+
 Lemma analytic_shift f t T : analytic_at f (T + t) -> analytic_at (fun r => f (T + r)) t.
 Proof.
-  intros (P & d & C & K & Hd & HC & HK & P0 & DP). exists (fun i r => P i (T + r)), d, C, K.
-  assert (In : forall r, Rabs (r - t) < d -> Rabs (T + r - (T + t)) < d) by (intros r Hr;
-    replace (T + r - (T + t)) with (r - t) by ring; auto).
-  split; auto. split; auto. split; auto. split; [intros; apply P0; auto|]. intros i r Hr.
-  destruct (DP i (T + r) (In r Hr)) as (D & B). split; auto.
-  replace (P (S i) (T + r)) with (scal 1 (P (S i) (T + r))) by apply Rmult_1_l.
-  apply (is_derive_comp (P i) (fun r => T + r)); auto. auto_derive; auto.
+  intros A. apply (analytic_near (fun r => f (T + 1 * r)) _ t 1 Rlt_0_1); [intros; f_equal; ring|].
+  apply analytic_from; auto. rewrite Rmult_1_l. auto.
+Qed.
+
+(** a function that is analytic at t goes one way next to it, on either side *)
+Theorem analytic_one_way f t e : e = 1 \/ e = -1 -> analytic_at f t -> one_way f t e.
+Proof.
+  intros He A. assert (A0 : analytic_at (fun h => f (t + e * h)) 0).
+  { apply analytic_from; auto. rewrite Rmult_0_r, Rplus_0_r. auto. }
+  destruct (analytic_plus _ _ _ A0 (analytic_const (- f t) 0)) as (P & d & C & K & Hd & HC & HK & P0 & DP).
+  assert (In : forall h, 0 <= h < d -> Rabs (h - 0) < d) by (intros; rewrite Rminus_0_r, Rabs_pos_eq; lra).
+  destruct (rises_or_not P d Hd) with (C := C) (K := K) as (c & Hc & W); auto; try (intros; apply DP; auto).
+  { rewrite P0, Rmult_0_r, Rplus_0_r by (apply In; lra). ring. }
+  exists c. split; [lra|]. destruct W as [W|W]; [left|right].
+  - intros h Hh. specialize (W h Hh). rewrite P0 in W by (apply In; lra). lra.
+  - intros h h' Hh Hh'. specialize (W h h' Hh Hh'). rewrite !P0 in W by (apply In; lra). lra.
 Qed.
 
 (** a polynomial, by its coefficients and powers, plus sinusoids, by amplitude, frequency and phase: a piece of a
