@@ -48,9 +48,16 @@ Definition cont (f : R -> R) :=
   forall t, 0 <= t -> forall eps, 0 < eps -> exists d, 0 < d /\
   forall s, 0 <= s -> Rabs (s - t) < d -> Rabs (f s - f t) < eps.
 
+Lemma little_le f g : (forall h, 0 < h -> Rabs (g h) <= Rabs (f h)) -> little f -> little g.
+Proof.
+  intros E H e He; destruct (H e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
+  eapply Rle_trans; [apply E; lra|auto].
+Qed.
 Lemma little_ext f g : (forall h, f h = g h) -> little f -> little g.
-Proof. intros E H e He; destruct (H e He) as (d & Hd & K). exists d; split; auto. intros; rewrite <- E; auto. Qed.
+Proof. intros E. apply little_le. intros. rewrite E. lra. Qed.
 
+Lemma little_abs f : little f -> little (fun h => Rabs (f h)).
+Proof. apply little_le. intros. rewrite Rabs_Rabsolu. lra. Qed.
 Lemma little_0 : little (fun _ => 0).
 Proof. intros e He; exists 1; split; [lra|]. intros h Hh; rewrite Rabs_R0; nra. Qed.
 
@@ -78,8 +85,12 @@ Proof. intros F. destruct (F 1) as (d & ? & K); [lra|]. exists 1, d; repeat spli
 Lemma big_id : big (fun h => h).
 Proof. exists 1, 1; repeat split; try lra. intros; rewrite Rabs_pos_eq; lra. Qed.
 
+Lemma big_le f g : (forall h, 0 < h -> Rabs (g h) <= Rabs (f h)) -> big f -> big g.
+Proof.
+  intros E (C & d & ? & ? & K). exists C, d; repeat split; auto. intros; eapply Rle_trans; [apply E; lra|auto].
+Qed.
 Lemma big_ext f g : (forall h, f h = g h) -> big f -> big g.
-Proof. intros E (C & d & ? & ? & K); exists C, d; repeat split; auto. intros; rewrite <- E; auto. Qed.
+Proof. intros E. apply big_le. intros. rewrite E. lra. Qed.
 
 Lemma big_plus f g : big f -> big g -> big (fun h => f h + g h).
 Proof.

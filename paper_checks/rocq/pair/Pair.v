@@ -9,43 +9,34 @@ Definition opposes (s : R -> R) (w t : R) := forall k, k = 1 \/ k = -1 -> 0 < k 
 (** s is at the time t the impulse of the set-valued sign of w *)
 Definition pushes (s : R -> R) (w t : R) := (forall h, 0 < h -> - h <= s (t + h) - s t <= h) /\ opposes s w t.
 
-(** if w' < w then s rises at least as fast as s': either w > 0 and s rises with slope 1, or w' < 0 and s' falls with
-  slope -1 *)
-Lemma friction_order s s' w w' t : pushes s w t -> pushes s' w' t -> w' < w ->
-  forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d -> - e * h <= (s (t + h) - s t) - (s' (t + h) - s' t).
-Proof.
-  intros (L & P) (L' & P') W e He. destruct (Rlt_dec 0 w) as [Pos|].
-  - destruct (P 1 (or_introl eq_refl) ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-    specialize (K h Hh). specialize (L' h ltac:(lra)). apply Rabs_inv in K. lra.
-  - destruct (P' (-1) (or_intror eq_refl) ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-    specialize (K h Hh). specialize (L h ltac:(lra)). apply Rabs_inv in K. lra.
-Qed.
-
-(** friction is monotone: the increments of two impulses against the relative velocities *)
-Lemma friction_monotone s s' w w' t : pushes s w t -> pushes s' w' t ->
-  forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
-  - e * h <= ((s (t + h) - s t) - (s' (t + h) - s' t)) * (w - w').
-Proof.
-  intros H H' e He. set (q := w - w'). pose proof (Rabs_pos q). assert (He1 : 0 < e / (Rabs q + 1)) by positive.
-  assert (Q : e / (Rabs q + 1) * Rabs q <= e).
-  { replace e with (e / (Rabs q + 1) * (Rabs q + 1)) at 2 by (field; lra). scale. }
-  destruct (Rtotal_order q 0) as [Lt|[Eq|Gt]].
-  - destruct (friction_order s' s w' w t H' H ltac:(unfold q in Lt; lra) _ He1) as (d & Hd & K). exists d; split; auto.
-    intros h Hh. specialize (K h Hh). rewrite Rabs_left in * by auto. nra.
-  - exists 1; split; [lra|]. intros h Hh. nra.
-  - destruct (friction_order s s' w w' t H H' ltac:(unfold q in Gt; lra) _ He1) as (d & Hd & K). exists d; split; auto.
-    intros h Hh. specialize (K h Hh). rewrite Rabs_pos_eq in * by lra. nra.
-Qed.
-
 (** the power of a friction of the strength b *)
 Lemma friction_power b F w t : (forall k, k = 1 \/ k = -1 -> 0 < k * w -> rderiv F t (k * b)) ->
   little (fun h => (F (t + h) - F t) * w - b * Rabs w * h).
 Proof.
-  intros P. destruct (Req_dec w 0) as [->|N].
+  intros P. assert (Q : forall k, k = 1 \/ k = -1 -> 0 < k * w -> Rabs w = k * w ->
+    little (fun h => (F (t + h) - F t) * w - b * Rabs w * h)).
+  { intros k Hk Kw ->. eapply little_ext; [|exact (little_scal w _ (P k Hk Kw))]. intros h; simpl. ring. }
+  destruct (Rtotal_order w 0) as [N|[->|N]].
+  - apply (Q (-1)); [auto|lra|rewrite Rabs_left; lra].
   - eapply little_ext; [|exact little_0]. intros h; simpl. rewrite Rabs_R0; ring.
-  - assert (K : exists k, (k = 1 \/ k = -1) /\ 0 < k * w /\ Rabs w = w * k).
-    { destruct (Rlt_dec w 0); [exists (-1); rewrite Rabs_left by lra|exists 1; rewrite Rabs_pos_eq by lra]; lra. }
-    destruct K as (k & Hk & Kw & ->). eapply little_ext; [|exact (little_scal w _ (P k Hk Kw))]. intros h; simpl. ring.
+  - apply (Q 1); [auto|lra|rewrite Rabs_pos_eq; lra].
+Qed.
+(** the same of an impulse of the sign *)
+Lemma opposes_power s w t : opposes s w t -> little (fun h => (s (t + h) - s t) * w - 1 * Rabs w * h).
+Proof. intros P. apply friction_power. intros k Hk W. rewrite Rmult_1_r. auto. Qed.
+
+(** friction is monotone: the increments of two impulses against the relative velocities; each supplies its own velocity
+    with all its power, and the other one with no more than that *)
+Lemma friction_monotone s s' w w' t : pushes s w t -> pushes s' w' t ->
+  forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
+  - e * h <= ((s (t + h) - s t) - (s' (t + h) - s' t)) * (w - w').
+Proof.
+  intros (L & P) (L' & P') e He.
+  destruct (little_plus _ _ (opposes_power s w t P) (opposes_power s' w' t P') e He) as (d & Hd & K).
+  exists d; split; auto. intros h Hh. specialize (K h Hh). apply Rabs_inv in K. cbv beta in K.
+  assert (B : forall y z, - h <= y <= h -> y * z <= Rabs z * h).
+  { intros y z Hy. unfold Rabs. destruct Rcase_abs; nra. }
+  pose proof (B _ w' (L h ltac:(lra))). pose proof (B _ w (L' h ltac:(lra))). lra.
 Qed.
 
 Section Pair.
@@ -178,14 +169,15 @@ Lemma moves_slip t u : 0 <= t -> rderiv U t u ->
 Proof.
   intros Ht HU. apply rderiv_ext with (fun r => / m1 * (m1 * v1 r + b * s r - U r + U r) - (v2 t - b / m2 * s t)).
   { intros r Hr. pose proof (moves_v2 t r Ht ltac:(lra)). replace (v2 r) with (v2 t + b / m2 * (s r - s t)) by lra.
-    field. lra. }
+    field; lra. }
   apply rderiv_eq with (/ m1 * (- (a2 * x t + a1 * v1 t) + u) - 0); [field; lra|].
   apply rderiv_minus; [|apply rderiv_const]. apply rderiv_scal, rderiv_plus; auto. apply (q_v1 _ _ _ _ _ _ H t Ht).
 Qed.
 Lemma moves_gap_big t u : 0 <= t -> rderiv U t u -> big (fun h => (v1 (t + h) - v2 (t + h)) - (v1 t - v2 t)).
 Proof.
-  intros Ht HU. eapply big_ext; [|exact (big_minus _ _ (rderiv_big _ _ _ (moves_slip t u Ht HU))
-    (big_scal (b * ((m1 + m2) / (m1 * m2))) _ (moves_big t Ht)))]. intros h. cbv beta. ring.
+  intros Ht HU.
+  eapply big_ext; [|exact (big_minus _ _ (rderiv_big _ _ _ (moves_slip t u Ht HU)) (big_scal (b * ((m1 + m2) / (m1 *
+    m2))) _ (moves_big t Ht)))]. intros h. lra.
 Qed.
 (** and with it, where its impulse has the right derivative l *)
 Lemma moves_rate t u l : 0 <= t -> rderiv U t u -> rderiv s t l -> rderiv (fun r => v1 r - v2 r) t

@@ -1,6 +1,6 @@
 (** Captive level and, with a1 > 0, the way to rest: E decays exponentially, and the pair sticks for ever in finite
     time. *)
-From InertialPair Require Import Dini Pair Stick.
+From InertialPair Require Import Dini PaidRates Pair Stick.
 
 Section Captive.
 Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -65,8 +65,7 @@ Let E_mono r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ H r t). Qed.
 
 Let steep : 0 < a2 + a1 ^ 2 / M.
-Proof. assert (0 <= a1 ^ 2 / M); [|lra].
-  apply Rmult_le_pos; [positive|positive]. Qed.
+Proof. assert (0 <= a1 ^ 2 / M) by positive. lra. Qed.
 (** a lower level is captive too *)
 Lemma captive_less e e' : e' <= e -> captive e -> captive e'.
 Proof. unfold captive. intros. nra. Qed.
@@ -133,23 +132,16 @@ Proof.
   (* the bound U of |v1| and |v2| *)
   set (U := 1 + 2 * E0 / m1 + 2 * E0 / m2). assert (HU1 : 0 <= 2 * E0 / m1) by positive.
   assert (HU2 : 0 <= 2 * E0 / m2) by positive. assert (HU : 1 <= U) by (unfold U; lra).
-  assert (Sq : 0 <= a1 ^ 2 / (2 * a2)) by positive.
-  destruct (small_enough (/ a2 + M) (1 / 2)) as (c1 & Hc1 & K1); [lra|lra|].
-  destruct (small_enough (m2 * U) (b / 2)) as (c2 & Hc2 & K2); [nra|lra|].
-  destruct (small_enough (M + a1 ^ 2 / (2 * a2)) (a1 / 2)) as (c3 & Hc3 & K3); [lra|lra|].
-  assert (exists c, 0 < c /\ c <= c1 /\ c <= c2 /\ c <= c3) as (c & Hc & L1 & L2 & L3).
-  { exists (Rmin c1 (Rmin c2 c3)). pose proof (Rmin_l c1 (Rmin c2 c3)). pose proof (Rmin_r c1 (Rmin c2 c3)).
-    pose proof (Rmin_l c2 c3). pose proof (Rmin_r c2 c3). repeat split; try lra. repeat apply Rmin_glb_lt; auto. }
-  specialize (K1 c ltac:(lra)). specialize (K2 c ltac:(lra)). specialize (K3 c ltac:(lra)).
+  assert (Sq : 0 <= a1 ^ 2 / (2 * a2)) by positive. assert (HUm : 0 < m2 * U) by positive.
+  destruct (small_enough ((/ a2 + M) + m2 * U + (M + a1 ^ 2 / (2 * a2))) (Rmin (1 / 2) (Rmin (b / 2) (a1 / 2))))
+    as (c & Hc & K); [lra|positive|]. min_bounds (Rmin (1 / 2) (Rmin (b / 2) (a1 / 2))). specialize (K c ltac:(lra)).
+  assert (K1 : c * (/ a2 + M) <= 1 / 2) by nra. assert (K2 : c * (m2 * U) <= b / 2) by nra.
+  assert (K3 : c * (M + a1 ^ 2 / (2 * a2)) <= a1 / 2) by nra. clear K.
   (* k: 3/2 k E <= c a2 x^2/2 + a1 v1^2/2 + b |v1 - v2|/2, with v2^2 <= 2 v1^2 + 4 U |v1 - v2| *)
-  destruct (small_enough (3 / 2) c) as (k1 & Hk1 & J1); [lra|lra|].
-  destruct (small_enough (3 / 2 * (m1 + 2 * m2)) a1) as (k2 & Hk2 & J2); [lra|lra|].
-  destruct (small_enough (6 * m2 * U) b) as (k3 & Hk3 & J3); [nra|lra|].
-  assert (exists k, 0 < k /\ k <= k1 /\ k <= k2 /\ k <= k3) as (k & Hk & N1 & N2 & N3).
-  { exists (Rmin k1 (Rmin k2 k3)). pose proof (Rmin_l k1 (Rmin k2 k3)). pose proof (Rmin_r k1 (Rmin k2 k3)).
-    pose proof (Rmin_l k2 k3). pose proof (Rmin_r k2 k3). repeat split; try lra. repeat apply Rmin_glb_lt; auto. }
-  specialize (J1 k ltac:(lra)). specialize (J2 k ltac:(lra)). specialize (J3 k ltac:(lra)).
-  exists c, k. repeat split; auto. intros x v1 v2 B.
+  destruct (small_enough (3 / 2 + 3 / 2 * (m1 + 2 * m2) + 6 * m2 * U) (Rmin c (Rmin a1 b))) as (k & Hk & J);
+    [nra|positive|]. min_bounds (Rmin c (Rmin a1 b)). specialize (J k ltac:(lra)).
+  assert (J1 : k * (3 / 2) <= c) by nra. assert (J2 : k * (3 / 2 * (m1 + 2 * m2)) <= a1) by nra.
+  assert (J3 : k * (6 * m2 * U) <= b) by nra. clear J. exists c, k. repeat split; auto. intros x v1 v2 B.
   pose proof (pow2_ge_0 x) as X2. pose proof (pow2_ge_0 v1) as V2. pose proof (pow2_ge_0 v2) as W2.
   assert (En : energy x v1 v2 = a2 * x ^ 2 / 2 + m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2) by reflexivity.
   assert (U1 : - U <= v1 <= U).
@@ -211,29 +203,16 @@ Proof.
   { apply cont_plus; [exact (moves_cE m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)|].
     apply cont_scal, cont_mult; [apply (s_cx _ _ _ _ _ _ _ _ _ H)|].
     apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
-  assert (RE : forall u, is_derive (fun u => exp (k * u)) u (k * exp (k * u))). { intros u. auto_derive; auto. ring. }
-  assert (Q : exp (k * t) * L t <= exp (k * 0) * L 0).
+  assert (Q : L t <= exp (- k * t) * L 0).
   { set (L' := fun u => (- b * Rabs (v1 u - v2 u) - a1 * v1 u ^ 2) + c * (v1 u * P u + x u * - (a2 * x u + a1 * v1 u))).
-    apply (rderiv_mono (fun u => exp (k * u) * L u) 0 t (fun u => k * exp (k * u) * L u + exp (k * u) * L' u)); [|lra|].
-    - apply cont_mult; auto. eapply cont_of_derive; exact RE.
-    - intros u Hu. split.
-      + apply (rderiv_mult (fun u => exp (k * u)) L); [apply rderiv_of_derive, RE|]. apply rderiv_plus.
-        * apply (energy_rate m1 m2 a1 a2 b Hm1 Hm2 _ _ _ _ H); lra.
-        * apply rderiv_scal, rderiv_mult; [apply (s_x _ _ _ _ _ _ _ _ _ H)|apply PR]; lra.
-      + pose proof (Rate (x u) (v1 u) (v2 u) (Em u ltac:(lra))) as R. pose proof (exp_pos (k * u)).
-        fold (P u) (E u) in R. change (L' u <= - k * L u) in R.
-        assert (exp (k * u) * L' u <= exp (k * u) * (- k * L u)) by scale. lra. }
-  rewrite Rmult_0_r, exp_0 in Q. assert (LB : forall u, E u / 2 <= L u <= 3 / 2 * E u).
+    apply in_proportion; auto. intros u Hu. apply rderiv_dini with (L' u); [exact (Rate _ _ _ (Em u Hu))|].
+    apply rderiv_plus; [exact (energy_rate m1 m2 a1 a2 b Hm1 Hm2 _ _ _ _ H u Hu)|].
+    apply rderiv_scal, rderiv_mult; [apply (s_x _ _ _ _ _ _ _ _ _ H)|apply PR]; lra. }
+  assert (LB : forall u, E u / 2 <= L u <= 3 / 2 * E u).
   { intros u. pose proof (cross_bound (x u) (v1 u) (v2 u)) as CB. apply Rabs_inv in CB. fold (P u) (E u) in CB.
     assert (Ep : 0 <= E u) by (exact (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _)).
-    assert (D : c * ((/ a2 + M) * E u) <= E u / 2). { rewrite <- Rmult_assoc.
-      apply Rle_trans with (1 / 2 * E u); [scale|lra]. }
-    unfold L. split; nra. }
-  pose proof (LB t). pose proof (LB 0). pose proof (exp_pos (k * t)).
-  replace (- k * t) with (- (k * t)) by ring. rewrite exp_Ropp. change (E t <= 3 * E 0 * / exp (k * t)).
-  apply Rmult_le_reg_l with (exp (k * t)); auto.
-    replace (exp (k * t) * (3 * E 0 * / exp (k * t))) with (3 * E 0) by (field; lra).
-  assert (exp (k * t) * (E t / 2) <= exp (k * t) * L t) by scale. lra.
+    assert (D : c * ((/ a2 + M) * E u) <= E u / 2) by nra. unfold L. split; nra. }
+  pose proof (LB t). pose proof (LB 0). pose proof (exp_pos (- k * t)). change (E t <= 3 * E 0 * exp (- k * t)). nra.
 Qed.
 
 (** [viscous-rest] With $a_1>0$: one time after which every solution that starts below a level sticks permanently. *)
