@@ -174,6 +174,13 @@ Proof.
   intros Hl H e He. destruct (H e He) as (d & ? & K). exists d; split; auto. intros h Hh.
   specialize (K h Hh). apply Rabs_inv in K. nra.
 Qed.
+Lemma dini_weaken f t l k : l <= k -> dini_le f t l -> dini_le f t k.
+Proof. intros Hl D e He. destruct (D e He) as (d & ? & K). exists d; split; auto. intros h Hh. specialize (K h Hh). nra. Qed.
+Lemma dini_scal c f t k : 0 < c -> dini_le f t k -> dini_le (fun u => c * f u) t (c * k).
+Proof.
+  intros Hc D e He. destruct (D (e / c)) as (d & ? & K); [positive|]. exists d; split; auto. intros h Hh.
+  specialize (K h Hh). replace e with (c * (e / c)) by (field; lra). nra.
+Qed.
 Lemma dini_plus f g t k l : dini_le f t k -> rderiv g t l -> dini_le (fun u => f u + g u) t (k + l).
 Proof.
   intros F G e He. destruct (F (e / 2)) as (d & Hd & K); [lra|]. destruct (G (e / 2)) as (d' & Hd' & K'); [lra|].

@@ -22,16 +22,16 @@ Proof.
 Qed.
 
 (** a path that an energy pays for as it goes is paid for *)
+Lemma paid_along E c f J r t : cont E -> cont J -> (forall u, 0 <= u -> rderiv J u (f u)) ->
+  (forall u, 0 <= u -> dini_le E u (- (c * f u))) -> 0 <= r <= t -> c * (J t - J r) <= E r - E t.
+Proof.
+  intros CE CJ HJ D Hr. cut (E t + c * J t <= E r + c * J r); [lra|].
+  apply (dini_mono (fun u => E u + c * J u)); auto using cont_plus, cont_scal. intros u Hu.
+  eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ (D u ltac:(lra)) (rderiv_scal c _ _ _ (HJ u ltac:(lra))))]. lra.
+Qed.
 Lemma path_paid E c f r t : cont E -> cont f -> (forall u, 0 <= u -> dini_le E u (- (c * f u))) -> 0 <= r <= t ->
   c * (integral f t - integral f r) <= E r - E t.
-Proof.
-  intros CE Cf D Hr. assert (E t + c * integral f t <= E r + c * integral f r); [|lra].
-  apply (dini_mono (fun u => E u + c * integral f u)); auto.
-  - apply cont_plus; [auto|apply cont_scal, integral_cont, Cf].
-  - intros u Hu e He. destruct (D u ltac:(lra) (e / 2)) as (d1 & H1 & K1); [lra|].
-    destruct (rderiv_scal c _ _ _ (integral_rderiv _ u Cf ltac:(lra)) (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2.
-    intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. lra.
-Qed.
+Proof. intros CE Cf. apply paid_along; auto using integral_cont. intros u Hu. apply integral_rderiv; auto. Qed.
 
 (** what an energy pays for converges; at a rate that cannot jump it comes to rest *)
 Section Paid.

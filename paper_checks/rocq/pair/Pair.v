@@ -338,10 +338,9 @@ Qed.
 (** *** Contraction in the energy norm: under one force the distance never grows *)
 Lemma moves_contraction r t : (forall u, U u = U' u) -> 0 <= r <= t -> D t <= D r.
 Proof.
-  intros E Hr. apply dini_mono; auto using moves_cD. intros u Hu e He. assert (Z : rderiv (fun r => U r - U' r) u 0).
+  intros E Hr. apply dini_mono; auto using moves_cD. intros u Hu. assert (Z : rderiv (fun r => U r - U' r) u 0).
   { apply rderiv_ext with (fun _ => 0); [intros q _; rewrite E; ring|apply rderiv_const]. }
-  destruct (moves_D_dini u 0 ltac:(lra) Z e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-  specialize (K h Hh). assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h); [|lra]. apply Rmult_le_pos; [positive|lra].
+  apply dini_weaken with (2 := moves_D_dini u 0 ltac:(lra) Z). assert (0 <= a1 * (v1 u - v1' u) ^ 2) by positive. lra.
 Qed.
 End Two.
 

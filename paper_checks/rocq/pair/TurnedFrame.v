@@ -28,8 +28,8 @@ Let Cw : cont w. Proof. apply cont_minus; auto. Qed.
 Let cont_E : cont E. Proof. apply energy_cont; auto. Qed.
 Let E_mono r t : 0 <= r <= t -> E t <= E r.
 Proof.
-  intros Hr. apply dini_mono; auto. intros u Hu e He. destruct (Pays u ltac:(lra) e He) as (d & Hd & K). exists d; split; auto.
-  intros h Hh. specialize (K h Hh). assert (0 <= c * Rabs (w u)) by positive. nra.
+  intros Hr. apply dini_mono; auto. intros u Hu. apply dini_weaken with (2 := Pays u ltac:(lra)).
+  assert (0 <= c * Rabs (w u)) by positive. lra.
 Qed.
 
 (** at any phase by two of them *)
@@ -57,22 +57,14 @@ Proof.
     - apply cont_ext with (fun u => / (M * om) * P u); [intros; unfold P, Rdiv; fold M om; ring|].
       apply cont_scal, cont_plus; apply cont_scal; auto.
     - apply cont_of_derive with (fun t => om * cos (om * t + phi)). intros u; unfold om; auto_derive; auto. ring. }
-  assert (Q : forall k, k = 1 \/ k = -1 -> k * turned phi t + kap * E t <= k * turned phi r + kap * E r).
-  { intros k Hk. apply (dini_mono (fun u => k * turned phi u + kap * E u)); auto.
-    { apply cont_plus; apply cont_scal; auto. }
-    intros u Hu e He. destruct (Pays u ltac:(lra) (e / (2 * kap))) as (e1 & He1 & K1); [positive|].
-    destruct (rderiv_scal k _ _ _ (turned_rate phi u ltac:(lra)) (e / 2)) as (e2 & He2 & K2); [lra|].
-    smaller e1 e2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
-    cbv beta in K2. apply (Rmult_le_compat_l kap) in K1; [|lra].
-    replace (kap * ((- (c * Rabs (w u)) + e / (2 * kap)) * h)) with (- (m2 / M * Rabs (w u)) * h + e / 2 * h) in K1
-      by (unfold kap, M; field; repeat split; lra).
-    assert (k * (w u * cos (om * u + phi)) <= Rabs (w u)).
-    { pose proof (COS_bound (om * u + phi)). unfold Rabs; destruct Rcase_abs; destruct Hk; subst k; nra. }
-    assert (0 < m2 / M) by (unfold M; positive).
-    assert (m2 / M * (k * (w u * cos (om * u + phi))) * h <= m2 / M * Rabs (w u) * h).
-    { apply Rmult_le_compat_r; [lra|]. scale. }
-    lra. }
-  pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)). apply Rabs_le; lra.
+  apply abs_by. intros k Hk. cut (kap * E t + k * turned phi t <= kap * E r + k * turned phi r); [lra|].
+  apply (dini_mono (fun u => kap * E u + k * turned phi u)); auto using cont_plus, cont_scal. intros u Hu.
+  eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ (dini_scal kap _ _ _ kap_pos (Pays u ltac:(lra)))
+    (rderiv_scal k _ _ _ (turned_rate phi u ltac:(lra))))].
+  replace (kap * - (c * Rabs (w u))) with (- (m2 / M * Rabs (w u))) by (unfold kap, M; field; repeat split; lra).
+  assert (k * (w u * cos (om * u + phi)) <= Rabs (w u)).
+  { pose proof (COS_bound (om * u + phi)). unfold Rabs; destruct Rcase_abs; destruct Hk; subst k; nra. }
+  assert (0 < m2 / M) by (unfold M; positive). nra.
 Qed.
 
 (** the energy beside an oscillation that sticks *)

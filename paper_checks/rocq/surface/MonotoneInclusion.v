@@ -199,10 +199,9 @@ Proof.
   - apply (cont_energy (fun u => minus (y u) (y' u))), vcont_minus; [apply (d_cont _ _ _ _ (proj1 H))|apply (d_cont _ _
     _ _ (proj1 H'))].
   - intros u. unfold D. pose proof (ip_pos _ In (minus (y u) (y' u))). lra.
-  - intros u Hu. split; [apply norm_pos|split; [apply HJ; lra|]]. intros e He.
-    destruct (distance_dini u (d u) ltac:(lra) (HG u ltac:(lra)) e He) as (c & Hc & K). exists c; split; auto.
-    intros h Hh. specialize (K h Hh). pose proof (cauchy (d u) (minus (y u) (y' u))). pose proof (Mo (y u) (y' u)).
-    rewrite Q, (ip_plus _ In) in *. nra.
+  - intros u Hu. split; [apply norm_pos|split; [apply HJ; lra|]].
+    apply dini_weaken with (2 := distance_dini u (d u) ltac:(lra) (HG u ltac:(lra))).
+    pose proof (cauchy (d u) (minus (y u) (y' u))). pose proof (Mo (y u) (y' u)). rewrite Q, (ip_plus _ In) in *. lra.
 Qed.
 End Two.
 
@@ -234,10 +233,8 @@ Proof.
   assert (Q : D t <= exp (2 * c * t) * D 0).
   { apply in_proportion; auto.
     - apply cont_energy, vcont_minus; [apply (d_cont _ _ _ _ (proj1 H))|apply (d_cont _ _ _ _ (proj1 H'))].
-    - intros u Hu e He. destruct (distance_dini A phi G P y G P' y' H H' u _ Hu (no_defect G u) e He) as (d & Hd & K).
-      exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite (ip_plus _ In), ip_zero in K.
-      specialize (Ac (y u) (y' u)). fold (D u) (D (u + h)) in K.
-      assert (ip (minus (y u) (y' u)) (minus (y u) (y' u)) = 2 * D u) by (unfold D; field). nra. }
+    - intros u Hu. apply dini_weaken with (2 := distance_dini A phi G P y G P' y' H H' u _ Hu (no_defect G u)).
+      rewrite (ip_plus _ In), ip_zero. specialize (Ac (y u) (y' u)). unfold D. lra. }
   unfold norm. replace (exp (c * t)) with (sqrt (exp (2 * c * t))).
   2: { replace (2 * c * t) with (c * t + c * t) by ring. rewrite exp_plus. apply sqrt_square, Rlt_le, exp_pos. }
   rewrite <- sqrt_mult by (try apply (ip_pos _ In); apply Rlt_le, exp_pos). apply sqrt_le_1_alt. unfold D in Q. lra.
@@ -267,12 +264,7 @@ Qed.
 Theorem path_paid J : cont J -> (forall t, 0 <= t -> rderiv J t (f t)) -> forall r t, 0 <= r <= t -> beta * (J t - J r)
   <= E r - E t.
 Proof.
-  intros CJ HJ r t Hr. assert (Q : E t + beta * J t <= E r + beta * J r); [|lra].
-  apply (dini_mono (fun u => E u + beta * J u)); auto.
-  - apply cont_plus; [apply cont_energy, (d_cont _ _ _ _ H)|apply cont_scal; auto].
-  - intros u Hu e He. destruct (braked_dini u ltac:(lra) (e / 2)) as (d1 & H1 & K1); [lra|].
-    destruct (rderiv_scal beta _ _ _ (HJ u ltac:(lra)) (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh.
-    specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. nra.
+  intros CJ HJ r t. apply (paid_along E beta f J); auto using braked_dini. apply cont_energy, (d_cont _ _ _ _ H).
 Qed.
 
 Let Ep t : 0 <= t -> 0 <= E t. Proof. intros _. unfold E. pose proof (ip_pos _ In (y t)). lra. Qed.
@@ -288,9 +280,9 @@ Theorem brakes_synchronise J : cont J -> (forall t, 0 <= t -> rderiv J t (f t)) 
     forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> f t <= e).
 Proof.
   intros CJ HJ. pose proof (path_paid J CJ HJ) as Pay. assert (Em : forall r t, 0 <= r <= t -> E t <= E r).
-  { intros r t Hr. apply dini_mono; auto; [apply cont_energy, (d_cont _ _ _ _ H)|]. intros u Hu e He.
-    destruct (braked_dini u ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
-    specialize (Hf u ltac:(lra)). assert (0 <= beta * f u) by positive. nra. }
+  { intros r t Hr. apply dini_mono; auto; [apply cont_energy, (d_cont _ _ _ _ H)|]. intros u Hu.
+    apply dini_weaken with (2 := braked_dini u ltac:(lra)). specialize (Hf u ltac:(lra)).
+    assert (0 <= beta * f u) by positive. lra. }
   split; [|split].
   - intros t Ht. pose proof (Pay 0 t ltac:(lra)). specialize (Ep t Ht). lra.
   - intros z Hz. apply (paid_converges E beta Ep Em Hb). intros r t Hr. eapply Rle_trans; [|apply Pay; auto].
