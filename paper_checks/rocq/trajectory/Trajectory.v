@@ -150,46 +150,29 @@ Fixpoint runs x v1 v2 now later : Prop := 0 < Q2R (friction now) /\ 0 <= Q2R (si
 Fixpoint in_order now later : Prop := 0 < Q2R (friction now) /\ 0 <= Q2R (since now) /\ match later with
   | next :: later => Q2R (since now) < Q2R (since next) /\ in_order next later | [] => True end.
 
-Lemma force_now now later t : in_order now later ->
-  (match later with next :: _ => t < Q2R (since next) | [] => True end) ->
-  force_at now later t = sval real (in_R (push now)) t.
-Proof. intros _. destruct later as [|next later]; simpl; auto. intros Ht. destruct Rlt_dec; auto; lra. Qed.
-
-Lemma varying_runs later : forall now U U' x v1 v2 x' v1' v2', in_order now later ->
-  (forall t, Q2R (since now) <= t -> rderiv U t (force_at now later t)) ->
-  (forall t, 0 <= t -> U' t = U (Q2R (since now) + t) /\ x' t = x (Q2R (since now) + t) /\
-    v1' t = v1 (Q2R (since now) + t) /\ v2' t = v2 (Q2R (since now) + t)) ->
-  varying M1 M2 A1 A2 (pieces now later) (last_friction now later) U' x' v1' v2' -> runs x v1 v2 now later.
+(** U, x', v1' and v2' run from the time at which the first spell begins *)
+Lemma varying_runs x v1 v2 later : forall now U x' v1' v2', in_order now later ->
+  (forall t, 0 <= t -> rderiv U t (force_at now later (Q2R (since now) + t))) ->
+  (forall t, 0 <= t -> x (Q2R (since now) + t) = x' t /\ v1 (Q2R (since now) + t) = v1' t /\ v2 (Q2R (since now) + t) = v2' t) ->
+  varying M1 M2 A1 A2 (pieces now later) (last_friction now later) U x' v1' v2' -> runs x v1 v2 now later.
 Proof.
-  assert (Push : forall now later U U', in_order now later ->
-    (forall t, Q2R (since now) <= t -> rderiv U t (force_at now later t)) ->
-    (forall t, 0 <= t -> U' t = U (Q2R (since now) + t)) -> forall t, 0 <= t ->
-    rderiv U' t (force_at now later (Q2R (since now) + t))).
-  { intros now later' U U' O DU E t Ht. apply rderiv_ext with (fun t => U (Q2R (since now) + t)).
-    - intros u Hu. symmetry. apply E. lra.
-    - apply rderiv_earlier, DU. lra. }
-  induction later as [|next later IH]; intros now U U' x v1 v2 x' v1' v2' O DU E V.
-  - pose proof (Push now [] U U' O DU (fun t Ht => proj1 (E t Ht))) as P. destruct O as (Hb & Hs & _).
-    split; [auto|]. split; [auto|]. intros hi. destruct V as (s & F). unfold last_friction in F; simpl in F.
+  induction later as [|next later IH]; intros now U x' v1' v2' O DU E V.
+  - destruct O as (Hb & Hs & _). split; [auto|]. split; [auto|]. intros hi. destruct V as (s & F).
     destruct (Rle_dec (Q2R (since now)) hi) as [Hh|Hh].
     + replace hi with (Q2R (since now) + (hi - Q2R (since now))) by ring.
-      apply (forced_follows _ _ U' x' v1' v2' s); auto.
-      * intros t Ht. apply P; lra.
-      * intros t Ht. destruct (E t ltac:(lra)) as (_ & -> & -> & ->). auto.
+      apply (forced_follows _ _ U x' v1' v2' s); auto; intros t Ht; [apply DU|apply E]; lra.
     + split; [intros t0 T X V1 V2 g Ht HT Hd|intros t0 X V1 V2 Ht]; exfalso; lra.
-  - pose proof (Push now (next :: later) U U' O DU (fun t Ht => proj1 (E t Ht))) as P. pose proof O as O'.
-    destruct O as (Hb & Hs & Hn & O). split; [auto|]. split; [auto|]. split; [auto|].
-    cbn [pieces varying last_friction] in V. destruct V as ((y & w1 & w2 & s & F & K) & V). split.
-    + assert (Ob : follows (Q2R (friction now)) (in_R (push now)) (Q2R (since now))
-        (Q2R (since now) + (Q2R (since next) - Q2R (since now))) x v1 v2).
-      { apply (forced_follows _ _ U' y w1 w2 s); auto.
-        - intros t Ht. rewrite <- (force_now now (next :: later)) by (auto; lra). apply P; lra.
-        - intros t Ht. destruct (K t Ht) as (<- & <- & <-). destruct (E t ltac:(lra)) as (_ & -> & -> & ->). auto. }
-      replace (Q2R (since now) + (Q2R (since next) - Q2R (since now))) with (Q2R (since next)) in Ob by ring. exact Ob.
-    + refine (IH next U _ x v1 v2 _ _ _ O _ _ V).
-      * intros t Ht. specialize (DU t ltac:(lra)). simpl in DU. destruct Rlt_dec in DU; [lra|auto].
-      * intros t Ht. cbv beta. destruct (E (Q2R (since next) - Q2R (since now) + t)) as (-> & -> & -> & ->); [lra|].
-        replace (Q2R (since now) + (Q2R (since next) - Q2R (since now) + t)) with (Q2R (since next) + t) by ring. auto.
+  - destruct O as (Hb & Hs & Hn & O). split; [auto|]. split; [auto|]. split; [auto|].
+    destruct V as ((y & w1 & w2 & s & F & K) & V). set (d := Q2R (since next) - Q2R (since now)) in *. split.
+    + replace (Q2R (since next)) with (Q2R (since now) + d) by (unfold d; ring).
+      apply (forced_follows _ _ U y w1 w2 s); auto; intros t Ht.
+      * specialize (DU t ltac:(lra)). simpl in DU. destruct Rlt_dec in DU; [exact DU|unfold d in Ht; lra].
+      * destruct (K t Ht) as (<- & <- & <-). apply E. lra.
+    + assert (Hd : forall t, Q2R (since now) + (d + t) = Q2R (since next) + t) by (intros; unfold d; ring).
+      refine (IH next _ _ _ _ O _ _ V); intros t Ht; rewrite <- Hd.
+      * apply rderiv_earlier. eapply rderiv_eq; [|apply DU; unfold d; lra]. simpl. rewrite Hd.
+        destruct Rlt_dec; [lra|auto].
+      * apply E. unfold d. lra.
 Qed.
 End Spells.
 
@@ -265,17 +248,10 @@ Lemma energy_triangle m1 m2 a2 x v1 v2 y w1 w2 p q : 0 <= m1 -> 0 <= m2 -> 0 <= 
   energy m1 m2 a2 x v1 v2 <= p ^ 2 -> energy m1 m2 a2 y w1 w2 <= q ^ 2 ->
   energy m1 m2 a2 (x + y) (v1 + w1) (v2 + w2) <= (p + q) ^ 2.
 Proof.
-  intros H1 H2 H3 Hp Hq E F. set (c := a2 * (x * y) / 2 + m1 * (v1 * w1) / 2 + m2 * (v2 * w2) / 2).
-  assert (S : 0 <= energy m1 m2 a2 (q * x - p * y) (q * v1 - p * w1) (q * v2 - p * w2)).
-  { unfold energy. pose proof (pow2_ge_0 (q * x - p * y)). pose proof (pow2_ge_0 (q * v1 - p * w1)).
-    pose proof (pow2_ge_0 (q * v2 - p * w2)). nra. }
-  assert (T : energy m1 m2 a2 (q * x - p * y) (q * v1 - p * w1) (q * v2 - p * w2) =
-    q ^ 2 * energy m1 m2 a2 x v1 v2 + p ^ 2 * energy m1 m2 a2 y w1 w2 - 2 * (p * q) * c) by (unfold energy, c; field).
-  assert (U : energy m1 m2 a2 (x + y) (v1 + w1) (v2 + w2) =
-    energy m1 m2 a2 x v1 v2 + energy m1 m2 a2 y w1 w2 + 2 * c) by (unfold energy, c; field).
-  assert (c <= p * q); [|nra]. apply Rmult_le_reg_l with (2 * (p * q)); [nra|].
-  assert (q ^ 2 * energy m1 m2 a2 x v1 v2 <= q ^ 2 * p ^ 2) by (apply Rmult_le_compat_l; nra).
-  assert (p ^ 2 * energy m1 m2 a2 y w1 w2 <= p ^ 2 * q ^ 2) by (apply Rmult_le_compat_l; nra). nra.
+  intros H1 H2 H3 Hp Hq E F. assert (S : 0 <= energy m1 m2 a2 (q * x - p * y) (q * v1 - p * w1) (q * v2 - p * w2)).
+  { unfold energy. positive. }
+  apply (Rmult_le_compat_l (q * (p + q))) in E; [|positive]. apply (Rmult_le_compat_l (p * (p + q))) in F; [|positive].
+  apply Rmult_le_reg_l with (p * q); [positive|]. unfold energy in *. lra.
 Qed.
 (** each part of what is small is small *)
 Lemma energy_part m c e r : 0 < m -> m * c ^ 2 / 2 <= e -> e <= r ^ 2 -> 0 <= r -> Rabs c <= r * sqrt (2 / m).
@@ -291,17 +267,11 @@ Inductive start := Off | Touch | Edge (ahead : bool).
 (** the rational numbers that are checked to be positive, or in order *)
 Definition posQ q := (0 <? Qnum q)%Z.
 Lemma posQ_spec q : posQ q = true -> 0 < Q2R q.
-Proof.
-  intros H. apply Z.ltb_lt in H. unfold Q2R. apply Rmult_lt_0_compat; [apply (IZR_lt 0); auto|].
-  apply Rinv_0_lt_compat, (IZR_lt 0). apply Pos2Z.is_pos.
-Qed.
+Proof. intros H. apply Z.ltb_lt in H. rewrite <- RMicromega.Q2R_0. apply Qlt_Rlt. unfold Qlt. simpl. lia. Qed.
 (** not negative *)
 Definition nonnegQ q := (0 <=? Qnum q)%Z.
 Lemma nonnegQ_spec q : nonnegQ q = true -> 0 <= Q2R q.
-Proof.
-  intros H. apply Z.leb_le in H. unfold Q2R. apply Rmult_le_pos; [apply (IZR_le 0); auto|].
-  apply Rlt_le, Rinv_0_lt_compat, (IZR_lt 0). apply Pos2Z.is_pos.
-Qed.
+Proof. intros H. apply Z.leb_le in H. rewrite <- RMicromega.Q2R_0. apply Qle_Rle. unfold Qle. simpl. lia. Qed.
 (** the middle of two *)
 Definition mid p q := Qred ((p + q) * (1 # 2)).
 Lemma mid_spec p q : Q2R (mid p q) = (Q2R p + Q2R q) / 2.
@@ -909,6 +879,8 @@ Let A1 := Q2R (a1 sc).
 Let A2 := Q2R (a2 sc).
 Hypotheses (Hm1 : 0 < M1) (Hm2 : 0 < M2) (Ha1 : 0 <= A1) (Ha2 : 0 < A2).
 
+Lemma both_spec : Q2R (both sc) = M1 + M2.
+Proof. apply Q2R_plus. Qed.
 (** the sign of a rational number *)
 Lemma on_side_Q d : on_side (d ?= 0)%Q (Q2R d).
 Proof.
@@ -956,24 +928,16 @@ Let k := real_kit M1 M2 A1 A2 B (in_R (fst y)) (in_R (snd y)) f.
 (** the computed numbers are those of the scene *)
 Lemma has_tuned : has_kit (numbers K) k.
 Proof.
-  assert (E : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto).
-  unfold K, k, tuned, real_kit. rewrite E. assert (HM : 0 < Q2R (both sc)) by lra.
+  unfold K, k, tuned, real_kit. rewrite <- both_spec. assert (0 < Q2R (both sc)) by (rewrite both_spec; lra).
   constructor; cbn [numbers k1 k2 kM ka1 ka2 kb slow1 stiff1 slowM stiffM answer1 answerM force]; unfold M1;
     rewrite <- ?squareQ_spec, <- ?fadeQ_spec by auto; try apply has_rat; apply has_in_I.
 Qed.
-(** the sides of both swings *)
-Lemma has_alone F w : has_parts F w -> square w = stiff1 k -> has_wave (Bounded F (side1 K) (root1 K)) w.
+(** the side of a swing *)
+Lemma has_side m F w : 0 < Q2R m -> has_parts F w -> square w = A2 / Q2R m - fade (Q2R m) A1 * fade (Q2R m) A1 ->
+  has_wave (Bounded F (squareQ sc m ?= 0)%Q (I.sqrt p (I.abs (rat p (squareQ sc m))))) w.
 Proof.
-  intros HF E. constructor; auto; rewrite E; unfold k, real_kit, M1; cbn [stiff1 side root]; rewrite <- squareQ_spec by auto.
-  - apply on_side_Q.
-  - apply J.sqrt_correct, (I.abs_correct _ (Xreal (Q2R (squareQ sc (m1 sc))))), has_rat.
-Qed.
-Lemma has_joint F w : has_parts F w -> square w = stiffM k -> has_wave (Bounded F (sideM K) (rootM K)) w.
-Proof.
-  assert (E0 : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto). assert (0 < Q2R (both sc)) by lra.
-  intros HF E. constructor; auto; rewrite E; unfold k, real_kit; cbn [stiffM side root]; rewrite E0, <- squareQ_spec by auto.
-  - apply on_side_Q.
-  - apply J.sqrt_correct, (I.abs_correct _ (Xreal (Q2R (squareQ sc (both sc))))), has_rat.
+  intros Hm HF E. rewrite <- squareQ_spec in E by auto. constructor; auto; rewrite E; [apply on_side_Q|].
+  apply J.sqrt_correct, (I.abs_correct _ (Xreal (Q2R (squareQ sc m)))), has_rat.
 Qed.
 
 Section State.
@@ -983,13 +947,14 @@ Let fw m k' := match m with Slip s => guard real k s t (x t) (v1 t) (v2 t) | Sti
 
 Lemma has_path m : has_wave (path p K st m) (pw m).
 Proof.
-  destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply has_alone|apply has_joint]; auto;
-    [apply has_slide|apply has_stuck]; auto using has_tuned.
+  destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply (has_side (m1 sc))|apply (has_side (both sc))];
+    rewrite ?both_spec; auto; try lra; [apply has_slide|apply has_stuck]; auto using has_tuned.
 Qed.
 Lemma has_front m k' : has_wave (front p K st m k' (path p K st m)) (fw m k').
 Proof.
-  destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply has_alone|apply has_joint]; auto;
-    [apply (has_guard p (numbers K) k has_tuned)|apply (has_grip p (numbers K) k has_tuned)]; auto.
+  destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply (has_side (m1 sc))|apply (has_side (both sc))];
+    rewrite ?both_spec; auto; try lra; [apply (has_guard p (numbers K) k has_tuned)|apply (has_grip p (numbers K) k has_tuned)];
+    auto.
 Qed.
 
 (** the guard of a slip, once it is accepted *)
@@ -1242,7 +1207,7 @@ Lemma fair_now now later y ys : fair_spells now later (y :: ys) = true -> 0 < Q2
 Proof.
   cbn [fair_spells]. rewrite !andb_true_iff. intros ((F & S) & ((Y1 & YM) & _)).
   apply posQ_spec in F. apply nonnegQ_spec in S. apply is_answer_spec in Y1. apply is_answer_spec in YM.
-  assert (E : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto). rewrite E. auto.
+  rewrite <- both_spec. auto.
 Qed.
 (** along what it runs, and beside what *)
 Lemma follows_less B f lo hi hi' y w1 w2 : hi' <= hi -> follows M1 M2 A1 A2 B f lo hi y w1 w2 ->
@@ -1436,9 +1401,8 @@ Proof.
   apply Qeq_bool_iff, Qeq_eqR in F0. rewrite RMicromega.Q2R_0 in F0.
   apply (goes_sound bits_of q depth sc Fm1 Fm2 Fa1 Fa2 x v1 x2 v2 C2 D2 e hints (first_spell sc) (later_spells sc) ys
     (initial sc (bits_of bits)) None); simpl; auto; [|lra|].
-  - apply (varying_runs _ _ _ _ Fm1 Fm2 Fa1 Fa2 _ _ U U x v1 v2 x v1 v2); eauto using fair_order.
-    + intros t Ht. apply DU. lra.
-    + intros t Ht. rewrite F0, Rplus_0_l. auto.
+  - apply (varying_runs _ _ _ _ Fm1 Fm2 Fa1 Fa2 x v1 v2 _ _ U x v1 v2); eauto using fair_order; intros t Ht;
+      rewrite F0, Rplus_0_l; auto.
   - unfold knows, initial; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite X0, V10, X20, V20.
     repeat (split; [try apply has_rat|]).
     + rewrite <- RMicromega.Q2R_0. apply has_rat.
