@@ -175,7 +175,9 @@ Proof.
   specialize (K h Hh). apply Rabs_inv in K. nra.
 Qed.
 Lemma dini_weaken f t l k : l <= k -> dini_le f t l -> dini_le f t k.
-Proof. intros Hl D e He. destruct (D e He) as (d & ? & K). exists d; split; auto. intros h Hh. specialize (K h Hh). nra. Qed.
+Proof.
+  intros Hl D e He. destruct (D e He) as (d & ? & K). exists d; split; auto. intros h Hh. specialize (K h Hh). nra.
+Qed.
 Lemma dini_scal c f t k : 0 < c -> dini_le f t k -> dini_le (fun u => c * f u) t (c * k).
 Proof.
   intros Hc D e He. destruct (D (e / c)) as (d & ? & K); [positive|]. exists d; split; auto. intros h Hh.

@@ -76,11 +76,13 @@ Proof.
   assert (Const : forall f, (forall t, is_derive f t 0) -> f t = f 0).
   { intros f D. destruct (MVT_gen f 0 t (fun _ => 0)) as (m & _ & E); [auto|intros; apply derivable_continuous_pt; eexists;
       apply is_derive_Reals, D|lra]. }
-  assert (C : c t = c 0) by (apply Const; intros u; unfold c; auto_derive; [repeat split; eexists; eauto|rewrite Dx, Dv; field; lra]).
-  assert (S : s t = s 0) by (apply Const; intros u; unfold s; auto_derive; [repeat split; eexists; eauto|rewrite Dx, Dv; field; lra]).
-  unfold c, s in C, S. rewrite Rmult_0_r, cos_0, sin_0 in C, S. pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC.
-  set (co := cos (om * t)) in *. set (si := sin (om * t)) in *.
-  replace (x 0) with (x t * co - v t / om * si) by lra. replace (v 0 / om) with (x t * si + v t / om * co) by lra. split.
+  assert (C : c t = c 0) by (apply Const; intros u; unfold c; auto_derive; [repeat split; eexists; eauto|rewrite Dx, Dv;
+    field; lra]).
+  assert (S : s t = s 0) by (apply Const; intros u; unfold s; auto_derive; [repeat split; eexists; eauto|rewrite Dx, Dv;
+    field; lra]). unfold c, s in C, S. rewrite Rmult_0_r, cos_0, sin_0 in C, S. pose proof (sin2_cos2 (om * t)) as SC.
+  unfold Rsqr in SC. set (co := cos (om * t)) in *. set (si := sin (om * t)) in *.
+  replace (x 0) with (x t * co - v t / om * si) by lra. replace (v 0 / om) with (x t * si + v t / om * co) by lra.
+  split.
   - transitivity (x t * (si * si + co * co)); [rewrite SC|]; ring.
   - transitivity ((x t ^ 2 + (v t / om) ^ 2) * (si * si + co * co)); [rewrite SC|]; ring.
 Qed.
@@ -106,8 +108,8 @@ Proof.
   assert (Ay : forall t, ay t = - (om * om) * y t) by (intros; apply A, N).
   assert (Dv : forall t, is_derive v t (- (om * om) * x t)) by (intros u; rewrite <- Ax; apply D).
   assert (Dw : forall t, is_derive w t (- (om * om) * y t)) by (intros u; rewrite <- Ay; apply D).
-  destruct (oscillator om x v Ho ltac:(apply D) Dv t) as (X & Ex), (oscillator om y w Ho ltac:(apply D) Dw t) as (Y & Ey).
-  split; [exact X|]. split; [exact Y|]. split; [|split].
+  destruct (oscillator om x v Ho ltac:(apply D) Dv t) as (X & Ex), (oscillator om y w Ho ltac:(apply D) Dw t) as (Y &
+    Ey). split; [exact X|]. split; [exact Y|]. split; [|split].
   - assert (E : sqrt ((m2 * ax t) ^ 2 + (m2 * ay t) ^ 2) = b / L * sqrt (x t ^ 2 + y t ^ 2)).
     { assert (F : m2 * (om * om) = b / L) by (rewrite O2; unfold L; field; lra).
       rewrite Ax, Ay, <- (sqrt_square (b / L)), <- sqrt_mult by (try positive; pose proof (pow2_ge_0 (x t)); pose proof
@@ -131,10 +133,10 @@ Proof.
   intros Hp X Y P Q. pose proof (sqrt_lt_R0 _ Hp) as Sp. pose proof (sqrt_sqrt _ (Rlt_le _ _ Hp)) as Sq.
   pose proof (is_derive_unique _ _ _ X) as Dx. pose proof (is_derive_unique _ _ _ Y) as Dy.
   pose proof (is_derive_unique _ _ _ P) as Dp. pose proof (is_derive_unique _ _ _ Q) as Dq.
-  auto_derive; [repeat split; try (eexists; eassumption); simpl in *; lra|].
-  change (fun u => ?f u) with f. rewrite Dx, Dy, Dp, Dq.
-  change (sqrt (x t * (x t * 1) + y t * (y t * 1))) with (sqrt (x t ^ 2 + y t ^ 2)). set (r := sqrt (x t ^ 2 + y t ^ 2)) in *.
-  apply Rminus_diag_uniq, Rmult_eq_reg_l with (r * r); [|nra]. rewrite Rmult_0_r.
+  auto_derive; [repeat split; try (eexists; eassumption); simpl in *; lra|]. change (fun u => ?f u) with f.
+  rewrite Dx, Dy, Dp, Dq. change (sqrt (x t * (x t * 1) + y t * (y t * 1))) with (sqrt (x t ^ 2 + y t ^ 2)).
+  set (r := sqrt (x t ^ 2 + y t ^ 2)) in *. apply Rminus_diag_uniq, Rmult_eq_reg_l with (r * r); [|nra].
+  rewrite Rmult_0_r.
   match goal with |- ?a = 0 => replace a with (k * b ^ 2 * (r * r - (x t ^ 2 + y t ^ 2))) by (field; lra) end.
   rewrite Sq. ring.
 Qed.

@@ -31,10 +31,6 @@ Proof.
         { destruct Q as [->|Q]; [lra|]. destruct (In1 u Q); lra. }
 Qed.
 
-(** lists that are related element by element are of one length *)
-Lemma same_length {A B} (P : A -> B -> Prop) l k : Forall2 P l k -> length k = length l.
-Proof. induction 1; simpl; auto. Qed.
-
 (** among finitely many times is none in some part of every interval *)
 Lemma gap (l : list R) : forall p q, p < q -> exists u, p < u < q /\ ~ In u l.
 Proof.
@@ -74,7 +70,7 @@ Proof.
   assert (P : 0 <= List.last times 0).
   { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
   destruct U as (ta & Ha & Wa & Xa & _ & Va & Ea & Ma & U). exists ta, times. split; [lra|]. do 4 (split; [auto|]).
-  split; [exact (same_length _ _ _ Ws)|]. split; [exact Nd|]. split; [|auto]. intros u. split.
+  split; [clear - Ws; induction Ws; simpl; auto|]. split; [exact Nd|]. split; [|auto]. intros u. split.
   - intros Q. destruct (In1 _ Q). split; [lra|]. apply Co; auto; lra.
   - intros (Hu & Q). destruct (Rle_dec u (List.last times 0)).
     + apply Co; auto. split; [|lra]. destruct (Req_dec u 0) as [->|]; [contradiction|lra].
@@ -93,18 +89,16 @@ Theorem first_adhesion x v1 v2 s : solution 1 1 0 200 (5 / 100) x v1 v2 s -> x 0
   (forall u, ta <= u <= tb -> v1 u = v2 u) /\ (forall u, tb < u < tc -> v1 u < v2 u) /\
   (forall u, tc <= u <= td -> v1 u = v2 u).
 Proof.
-  intros H X0 V1 V2. assert (Mo : motion the_scene x v1 (integral v2) v2).
-  { apply (speed_motion 0.15 0.05 x v1 v2 s); auto. }
-  pose proof (trajectory x v1 (integral v2) v2 Mo) as U.
+  intros H X0 V1 V2. pose proof (trajectory _ _ _ _ (speed_motion 0.15 0.05 x v1 v2 s H X0 V1 V2)) as U.
   change the_events with (firstn 20 the_events ++ nth 20 the_events (Event Stick (0, 0) (0, 0) (0, 0) (0, 0))%Q ::
     skipn 21 the_events) in U.
   apply entry in U; [|lra|intros m Hm; simpl in Hm; repeat (destruct Hm as [<-|Hm]; [discriminate|]); contradiction].
   destruct U as (ta & times & T0 & Wa & _ & _ & Ea & Ln & _ & Cs' & U).
   assert (Cs : forall u, 0 <= u < ta -> (v1 u = v2 u <-> In u times)) by (intros u Hu; rewrite Cs'; tauto).
-    destruct U as (tb & Hb & Wb & _ & _ & _ & Eb & Mb & U).
-  destruct U as (tc & Hc & Wc & _ & _ & _ & Ec & Mc & U). destruct U as (td & Hd & Wd & _ & _ & _ & Ed & Md & _).
-  unfold within in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd. unfold Q2R in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd.
-  exists ta, tb, tc, td, times. do 4 (split; [lra|]). split; [auto|]. split; [auto|]. split; [|split; [|split]].
+  destruct U as (tb & Hb & Wb & _ & _ & _ & Eb & Mb & U). destruct U as (tc & Hc & Wc & _ & _ & _ & Ec & Mc & U).
+  destruct U as (td & Hd & Wd & _ & _ & _ & Ed & Md & _). unfold within in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd.
+  unfold Q2R in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd. exists ta, tb, tc, td, times. do 4 (split; [lra|]).
+  split; [auto|]. split; [auto|]. split; [|split; [|split]].
   - intros p q Hp Hq. destruct (gap times p q ltac:(lra)) as (u & Hu & N). exists u. split; [lra|].
     rewrite Cs by lra. auto.
   - intros u Hu. destruct (Req_dec u ta) as [->|]; auto. destruct (Req_dec u tb) as [->|]; auto. apply Mb; lra.

@@ -180,7 +180,7 @@ End Spells.
 (** rational numbers; their sines are not asked for *)
 Definition rational := Arith 0%Q Qplus Qminus Qmult Qdiv Qopp (fun q => q) (fun q => q).
 Lemma in_R_padd l : forall k, map Q2R (padd rational l k) = padd real (map Q2R l) (map Q2R k).
-Proof. induction l as [|c l IH]; intros [|d k]; auto. cbn [padd map]. rewrite IH. simpl. rewrite Q2R_plus. auto. Qed.
+Proof. induction l as [|c l IH]; intros [|d k]; auto. cbn [padd map]. rewrite IH. rewrite Q2R_plus. auto. Qed.
 Lemma in_R_dpoly l : map Q2R (dpoly rational l) = dpoly real (map Q2R l).
 Proof.
   induction l as [|c [|d l] IH]; auto. change (dpoly rational (c :: d :: l)) with
@@ -194,7 +194,7 @@ Definition vanishes := forallb (Qeq_bool 0).
 Lemma vanishes_spec l u : vanishes l = true -> pval real (map Q2R l) u = 0.
 Proof.
   induction l as [|c l IH]; auto. cbn [vanishes forallb map]. intros E. apply andb_true_iff in E. destruct E as (E & F).
-  rewrite pval_cons, IH by auto. apply Qeq_bool_iff, Qeq_eqR in E. rewrite <- E, RMicromega.Q2R_0. ring.
+  rewrite pval_cons, IH by auto. apply Qeq_bool_iff, Qeq_eqR in E. lra.
 Qed.
 (** m y'' + a1 y' + a2 y = f *)
 Fixpoint tones_answer m a1 a2 (ys fs : list (tone Q)) : bool := match ys, fs with
@@ -218,12 +218,10 @@ Proof.
   generalize (pval real (dpoly real (dpoly real (map Q2R (poly y)))) (t - Q2R (from f))).
   generalize (pval real (dpoly real (map Q2R (poly y))) (t - Q2R (from f))).
   generalize (pval real (map Q2R (poly y)) (t - Q2R (from f))).
-  generalize (pval real (map Q2R (poly f)) (t - Q2R (from f))).
-  replace (Q2R (-1)) with (-1) by (unfold Q2R; simpl; field). intros p0 p1 p2 p3 V. revert W.
-  generalize (tones f). induction (tones y) as [|z zs IH]; intros [|w ws]; cbn [tones_answer map fold_right];
-    try discriminate; [intros _; lra|].
-  intros W. cbn [forallb] in W. rewrite !andb_true_iff in W.
-  destruct W as (((W & P) & S & C & S' & C' & _) & Rest). rewrite <- (IH ws Rest). clear IH.
+  generalize (pval real (map Q2R (poly f)) (t - Q2R (from f))). intros p0 p1 p2 p3 V. revert W. generalize (tones f).
+  induction (tones y) as [|z zs IH]; intros [|w ws]; cbn [tones_answer map fold_right];
+    try discriminate; [intros _; lra|]. intros W. cbn [forallb] in W. rewrite !andb_true_iff in W.
+  destruct W as (((W & P) & S & C & S' & C' & _) & Rest). rewrite <- (IH ws Rest).
   apply Qeq_bool_iff, Qeq_eqR in W, P, S, C, S', C'.
   cbn [dtone in_sine in_cosine rise_sine rise_cosine turn phase add sub neg mul rational] in S, C, S', C'.
   unfold tval; simpl. rewrite <- W, <- P, <- S, <- C, <- S', <- C'.
@@ -363,7 +361,7 @@ Proof.
     unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by (apply Rabs_no_R0; lra). apply L. }
   destruct E as (k & Hk & ->).
   refine (J.add_correct p _ _ _ _ (F _ _ Hc) (J.mul_correct p _ _ _ _ (J.sub_correct p _ _ _ _ Hi Hc) _)).
-  apply has_hull. replace (Q2R (-1)) with (-1) by (unfold Q2R; simpl; lra). rewrite RMicromega.Q2R_1. auto.
+  apply has_hull. lra.
 Qed.
 Lemma has_sin_by i r : has i r -> has (sin_by i) (sin r).
 Proof.
@@ -471,11 +469,11 @@ Section Kit.
 Context (K : kit I.type) (k : kit R) (HK : has_kit K k).
 Lemma has_slide s T t X x V v : has T t -> has X x -> has V v ->
   has_parts (slide boxes K s T X V) (slide real k s t x v).
-Proof. intros. destruct HK. apply has_swing; auto. pose proof (has_signed s _ _ h_kb0). has. Qed.
+Proof. destruct HK. apply has_swing; auto. pose proof (has_signed s _ _ h_kb0). has. Qed.
 Lemma has_drive s V v U u : has V v -> has U u -> has (drive boxes K s V U) (drive real k s v u).
 Proof. intros. pose proof (has_signed s _ _ (h_kb _ _ HK)). pose proof (h_k2 _ _ HK). unfold drive. has. Qed.
 Lemma has_stuck T t X x V v : has T t -> has X x -> has V v -> has_parts (stuck boxes K T X V) (stuck real k t x v).
-Proof. destruct HK. intros. apply has_swing; auto. has. Qed.
+Proof. destruct HK. apply has_swing; auto. has. Qed.
 Lemma has_guard s T t X x V v W w : has T t -> has X x -> has V v -> has W w ->
   has_parts (guard boxes K s T X V W) (guard real k s t x v w).
 Proof.
@@ -533,8 +531,8 @@ Proof.
 Qed.
 Lemma sung_spec p F f u i : has_wave F f -> has i u -> has_sung (clock f + u) (sung p F i) (angles f).
 Proof.
-  intros [[] _ _] Hu. unfold sung, angles, has_sung. apply (has_map has_tone); [|apply h_answer0].
-  intros Z z []. cbn [fst snd]. split; has.
+  intros [[] _ _] Hu. unfold sung, angles, has_sung. apply (has_map has_tone); [|apply h_answer0]. intros Z z [].
+  split; has.
 Qed.
 Lemma has_made p F f u i b bs : has_wave F f -> has i u -> has_swung (side F) (decay f) (square f) u b ->
   has_sung (clock f + u) bs (angles f) -> has (made p F i b bs) (val f u).
@@ -612,7 +610,7 @@ Proof.
   - destruct (pos (value q F (rat q (mid a b)))) eqn:E4; [|discriminate].
     destruct (stays n F (steep q F) (steep q (steep q F)) a (mid a b)) eqn:E5; [|discriminate]. intros St.
     assert (Pc : 0 < val f (Q2R (mid a b))) by (apply (pos_spec _ _ E4), has_value, has_rat; auto).
-    pose proof (mid_spec a b) as Mid. destruct (Rle_dec u (Q2R (mid a b))).
+    destruct (Rle_dec u (Q2R (mid a b))).
     + apply (IH a (mid a b)); auto; lra.
     + apply (IH (mid a b) b); auto; lra.
 Qed.
@@ -629,8 +627,7 @@ Proof.
   1, 3: injection E as <-; split; [lra|]; intros u Hu; apply (pos_spec _ _ E0), has_value, has_hull; auto;
     rewrite RMicromega.Q2R_0; auto.
   - discriminate.
-  - pose proof (mid_spec 0 d) as Mid. rewrite RMicromega.Q2R_0 in Mid. destruct (IH (mid 0 d) E) as (Q & P); [lra|].
-    split; [lra|auto].
+  - pose proof (mid_spec 0 d) as Mid. destruct (IH (mid 0 d) E) as (Q & P); [lra|]. split; [lra|auto].
 Qed.
 
 (** positive after 0 up to b, whatever the start is *)
@@ -651,10 +648,8 @@ Lemma begins_spec how k F f b at_b : has_wave F f -> has at_b (val f (Q2R b)) ->
 Proof.
   intros W Hb0 B At Ae. pose proof (has_steep q _ _ W) as W'. pose proof (has_steep q _ _ W') as W''.
   unfold begins in B. apply andb_true_iff in B. destruct B as (B & C). apply andb_true_iff in B.
-    destruct B as (Hb & Pb).
-  apply posQ_spec in Hb. apply pos_spec with (r := val f (Q2R b)) in Pb; [|auto].
-  split; auto. pose proof (mid_spec 0 b) as Mid. rewrite RMicromega.Q2R_0 in Mid.
-  assert (Rest : forall d, 0 < Q2R d <= Q2R (mid 0 b) ->
+  destruct B as (Hb & Pb). apply posQ_spec in Hb. apply pos_spec with (r := val f (Q2R b)) in Pb; [|auto]. split; auto.
+  pose proof (mid_spec 0 b) as Mid. assert (Rest : forall d, 0 < Q2R d <= Q2R (mid 0 b) ->
     pos (value q F (rat q d)) && stays depth F (steep q F) (steep q (steep q F)) d b = true ->
     (forall u, 0 < u <= Q2R d -> 0 < val f u) -> forall u, 0 < u <= Q2R b -> 0 < val f u).
   { intros d Hd E Q u Hu. apply andb_true_iff in E. destruct E as (Pd & St). destruct (Rle_dec u (Q2R d));
@@ -668,10 +663,10 @@ Proof.
     destruct (early_spec _ _ _ _ _ W' E ltac:(lra)) as (Hd & Q). apply (Rest d); auto.
     apply leaves_zero; auto. rewrite (At eq_refl); lra.
   - apply andb_true_iff in C. destruct C as (Hk & C). apply eqb_prop in Hk. subst k'. destruct (Ae eq_refl) as (Z & S).
-    rewrite Z. split; [lra|]. destruct (early depth (steep q (steep q F)) (mid 0 b)) as [d|] eqn:E; [|discriminate].
+    split; [lra|]. destruct (early depth (steep q (steep q F)) (mid 0 b)) as [d|] eqn:E; [|discriminate].
     destruct (early_spec _ _ _ _ _ W'' E ltac:(lra)) as (Hd & Q). apply (Rest d); auto. intros u Hu.
-    destruct (val_mean f 0 u ltac:(lra)) as (c & Hc & Ef). rewrite Z in Ef.
-    assert (0 < val (slope f) c); [|nra]. apply (leaves_zero (slope f) (Q2R d)); auto; lra.
+    destruct (val_mean f 0 u ltac:(lra)) as (c & Hc & Ef). assert (0 < val (slope f) c); [|nra].
+    apply (leaves_zero (slope f) (Q2R d)); auto; lra.
 Qed.
 
 
@@ -712,7 +707,7 @@ Proof.
   intros W Hk Hu Hi. assert (E : exists c, Q2R least <= c <= Q2R most /\
     val f u = val f (Q2R most) + val (slope f) c * (u - Q2R most)).
   { destruct (Req_dec u (Q2R most)) as [->|]; [exists (Q2R most); split; [lra|ring]|].
-    destruct (val_mean f u (Q2R most) ltac:(lra)) as (c & Hc & E). exists c. split; [lra|]. lra. }
+    destruct (val_mean f u (Q2R most) ltac:(lra)) as (c & Hc & E). exists c. lra. }
   destruct E as (c & Hc & ->). unfold near. assert (has (value q (steep q F) (hull p least most)) (val (slope f) c)).
   { apply has_value; [apply has_steep; auto|apply has_hull; auto]. }
   has.
@@ -892,7 +887,7 @@ Proof.
   unfold sval, in_R; cbn [tones poly from map fold_right]. rewrite !pval_cons, !vanishes_spec by auto. ring.
 Qed.
 Lemma not_0 m : 0 < Q2R m -> ~ (m == 0)%Q.
-Proof. intros Hm E. apply Qeq_eqR in E. rewrite RMicromega.Q2R_0 in E. lra. Qed.
+Proof. intros Hm E. apply Qeq_eqR in E. lra. Qed.
 Lemma fadeQ_spec m : 0 < Q2R m -> Q2R (fadeQ sc m) = fade (Q2R m) A1.
 Proof.
   intros Hm. assert (E : Q2R (2 * m) = 2 * Q2R m) by (rewrite Q2R_mult; unfold Q2R at 1; simpl; lra).
@@ -952,9 +947,9 @@ Proof.
 Qed.
 Lemma has_front m k' : has_wave (front p K st m k' (path p K st m)) (fw m k').
 Proof.
-  destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply (has_side (m1 sc))|apply (has_side (both sc))];
-    rewrite ?both_spec; auto; try lra; [apply (has_guard p (numbers K) k has_tuned)|apply (has_grip p (numbers K) k has_tuned)];
-    auto.
+  destruct Kn as (? & ? & ? & ? & ? & _).
+  destruct m; [apply (has_side (m1 sc))|apply (has_side (both sc))]; rewrite ?both_spec; auto; try lra; [apply
+    (has_guard p (numbers K) k has_tuned)|apply (has_grip p (numbers K) k has_tuned)]; auto.
 Qed.
 
 (** the guard of a slip, once it is accepted *)
@@ -995,8 +990,8 @@ Proof.
   replace (x2 (t + u)) with (x2 t + Q2R (1 # 2) * (v2 t + v2 (t + u)) * u); [unfold behind; has|].
   rewrite (same_way x2 v2 (fun r => v2 t * r + signed real k' B / M2 / 2 * (r * r)) (drive real k k' (v2 t)) t u); auto;
     [| lra |].
-  - rewrite V by lra. unfold drive, Q2R; simpl. fold B. field. lra.
-  - intros r. unfold drive; simpl. fold B. auto_derive; auto. field. lra.
+  - rewrite V by lra. unfold drive, Q2R; simpl. lra.
+  - intros r. unfold drive; simpl. fold B. auto_derive; auto. lra.
 Qed.
 (** and in a stick *)
 Lemma stick_behind u i j : 0 <= u -> (forall r, 0 <= r <= u -> v2 (t + r) = val (slope (stuck real k t (x t) (v1 t))) r) ->
@@ -1015,10 +1010,11 @@ Lemma on_time m k' i u (on := at_time p (front p K st m k' (path p K st m)) i) :
   has (on (steep p (path p K st m))) (val (slope (pw m)) u) /\
   (m = Stick -> has (on (front p K st m (negb k') (path p K st m))) (val (fw m (negb k')) u)).
 Proof.
-  intros Hi. assert (S : forall F w, has_wave F w -> side F = side (front p K st m k' (path p K st m)) ->
-    decay w = decay (fw m k') -> square w = square (fw m k') -> clock w = clock (fw m k') -> angles w = angles (fw m k') ->
-    has (on F) (val w u)) by (intros F w; exact (has_shared p _ _ F w u i (has_front m k') Hi)).
-  pose proof (has_path m) as W. pose proof (has_steep p _ _ W). pose proof (has_front m (negb k')).
+  intros Hi.
+  assert (S : forall F w, has_wave F w -> side F = side (front p K st m k' (path p K st m)) -> decay w = decay (fw m k')
+    -> square w = square (fw m k') -> clock w = clock (fw m k') -> angles w = angles (fw m k') -> has (on F) (val w u))
+    by (intros F w; exact (has_shared p _ _ F w u i (has_front m k') Hi)). pose proof (has_path m) as W.
+  pose proof (has_steep p _ _ W).
   split; [|split; [|split]]; try intros _; apply S; auto using has_front; destruct m; try reflexivity;
     unfold angles; cbn; rewrite ?map_map; reflexivity.
 Qed.
@@ -1065,10 +1061,9 @@ Qed.
 Lemma step_sound m least most k' st' : step p q depth K final st m least most k' = Some st' ->
   exists t', t < t' /\ v1 t' = v2 t' /\ (forall u, t < u < t' -> in_mode m (v1 u) (v2 u)) /\ knows B f st' t'.
 Proof.
-  pose proof Kn as (Kt & _). unfold step. cbv zeta. destruct (_ && nonneg _) eqn:C; [|discriminate]. intros E.
-  injection E as <-. rewrite !andb_true_iff in C. destruct C as (((E0 & Ef) & Ek) & En).
-  apply Qle_bool_iff, Qle_Rle in E0. pose proof (has_rat p most) as Hmost.
-  apply fits_spec with (r := t + Q2R most) in Ef; [|has]. specialize (H _ Ef).
+  pose proof Kn as (Kt & _). unfold step. destruct (_ && nonneg _) eqn:C; [|discriminate]. intros E. injection E as <-.
+  rewrite !andb_true_iff in C. destruct C as (((E0 & Ef) & Ek) & En). apply Qle_bool_iff, Qle_Rle in E0.
+  pose proof (has_rat p most) as Hmost. apply fits_spec with (r := t + Q2R most) in Ef; [|has]. specialize (H _ Ef).
   destruct (on_time m k' _ _ Hmost) as (Hend & Hpath & Hsteep & Hother).
   set (on := at_time p (front p K st m k' (path p K st m)) (rat p most)) in *.
   set (F := front p K st m k' (path p K st m)) in *.
@@ -1106,7 +1101,7 @@ Lemma rest_sound m until least st' w : rest p q depth K final st m until least =
   (forall u, t < u <= Q2R until -> in_mode m (v1 u) (v2 u)) /\ (forall B' f', knows B' f' st' (Q2R until)) /\
   has w (v1 (Q2R until) - v2 (Q2R until)).
 Proof.
-  pose proof Kn as (Kt & _). unfold rest. cbv zeta. set (iu := I.sub p (rat p until) (at_t st)).
+  pose proof Kn as (Kt & _). unfold rest. set (iu := I.sub p (rat p until) (at_t st)).
   destruct (_ && keeps _ _ _ _ _ _ _ _ _ _ _ _) eqn:C; [|discriminate]. intros E. injection E as <- <-.
   rewrite !andb_true_iff in C. destruct C as (((E1 & E2) & Ef) & Ek).
   assert (Hu : has iu (Q2R until - t)) by (unfold iu; has). set (u := Q2R until - t) in *.
@@ -1168,11 +1163,10 @@ Qed.
 Lemma small_spec st t a r : knows B f st t -> small p K st a r = true -> energy M1 M2 A2 (x t - Q2R (start_x a))
   (v1 t - Q2R (start_v1 a)) (v2 t - Q2R (start_v2 a)) <= Q2R r ^ 2.
 Proof.
-  intros (_ & Hx & H1 & _ & H2 & _) E. pose proof has_tuned as T. destruct T. unfold small in E.
-  set (c := x t - Q2R (start_x a)). set (d := v1 t - Q2R (start_v1 a)). set (e := v2 t - Q2R (start_v2 a)).
+  intros (_ & Hx & H1 & _ & H2 & _) E. pose proof has_tuned as T. unfold small in E. set (c := x t - Q2R (start_x a)).
+  set (d := v1 t - Q2R (start_v1 a)). set (e := v2 t - Q2R (start_v2 a)).
   apply nonneg_spec with (r := Q2R (2 * (r * r)) - (A2 * (c * c) + M1 * (d * d) + M2 * (e * e))) in E;
-    [|unfold c, d, e; has].
-  rewrite !Q2R_mult in E. replace (Q2R 2) with 2 in E by (unfold Q2R; simpl; lra). unfold energy. lra.
+    [|unfold c, d, e; has]. rewrite !Q2R_mult in E. unfold energy. lra.
 Qed.
 End Spell.
 End Motion.
@@ -1195,8 +1189,7 @@ Lemma agrees_spec B f p st ev later e t t' : known B f st t' -> agrees p st ev =
   unfolds x v1 x2 v2 t (ev :: later) e.
 Proof.
   intros (Kt & Kx & K1 & Kx2 & K2 & Kh) E Ht M U. unfold agrees in E. rewrite !andb_true_iff in E.
-  destruct E as ((((E0 & E1) & E2) & E3) & E4). exists t'.
-  repeat (split; [solve [auto; eapply inside_spec; eauto]|]). split; [|auto].
+  destruct E as ((((E0 & E1) & E2) & E3) & E4). exists t'. repeat (split; [solve [auto; eapply inside_spec; eauto]|]).
   destruct (how st); try discriminate; intuition.
 Qed.
 
@@ -1205,9 +1198,8 @@ Lemma fair_now now later y ys : fair_spells now later (y :: ys) = true -> 0 < Q2
   0 <= Q2R (since now) /\ answers M1 A1 A2 (in_R (fst y)) (in_R (push now)) /\
   answers (M1 + M2) A1 A2 (in_R (snd y)) (in_R (push now)).
 Proof.
-  cbn [fair_spells]. rewrite !andb_true_iff. intros ((F & S) & ((Y1 & YM) & _)).
-  apply posQ_spec in F. apply nonnegQ_spec in S. apply is_answer_spec in Y1. apply is_answer_spec in YM.
-  rewrite <- both_spec. auto.
+  cbn [fair_spells]. rewrite !andb_true_iff. intros ((F & S) & ((Y1 & YM) & _)). apply posQ_spec in F.
+  apply nonnegQ_spec in S. apply is_answer_spec in Y1. apply is_answer_spec in YM. rewrite <- both_spec. auto.
 Qed.
 (** along what it runs, and beside what *)
 Lemma follows_less B f lo hi hi' y w1 w2 : hi' <= hi -> follows M1 M2 A1 A2 B f lo hi y w1 w2 ->
@@ -1272,7 +1264,7 @@ Qed.
 Lemma about_spec c r M m u : has M m -> 0 < m -> 0 <= Q2R r -> Rabs (u - Q2R c) <= Q2R r * sqrt (2 / m) ->
   has (about p c r M) u.
 Proof.
-  intros HM Hm Hr Hu. apply Rabs_inv in Hu. assert (E : Q2R 2 = 2) by (unfold Q2R; simpl; lra).
+  intros HM Hm Hr Hu. apply Rabs_inv in Hu. assert (E : Q2R 2 = 2) by lra.
   assert (D : has (I.mul p (rat p r) (I.sqrt p (I.div p (rat p 2) M))) (Q2R r * sqrt (2 / m))) by (rewrite <- E; has).
   apply (J.join_correct _ _ (Q2R c - Q2R r * sqrt (2 / m)) (Q2R c + Q2R r * sqrt (2 / m))); [has|has|lra].
 Qed.
@@ -1351,9 +1343,8 @@ Proof.
       apply (closest_spec now y _); auto.
   - destruct events as [|]; [|discriminate]. destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
     destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E)
-      as (Ht' & _ & Q & Kn' & Kw).
-    unfold ends. rewrite !andb_true_iff. intros (((((B0 & B1) & B2) & B3) & B4) & Ev).
-    destruct (Kn' 0 (in_R (push now))) as (_ & Kx & K1 & Kx2 & K2 & _). cbn [unfolds].
+      as (Ht' & _ & Q & Kn' & Kw). unfold ends. rewrite !andb_true_iff. intros (((((B0 & B1) & B2) & B3) & B4) & Ev).
+    destruct (Kn' 0 (in_R (push now))) as (_ & Kx & K1 & Kx2 & K2 & _).
     repeat (split; [solve [auto; eapply inside_spec; eauto]|]).
     apply (lasts_sound now later y Hb Hs Y1 YM Ob st' (Q2R (last e)) e hints); auto. lra.
 Qed.
