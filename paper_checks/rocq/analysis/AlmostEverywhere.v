@@ -39,12 +39,11 @@ Proof. induction l as [|(p, q) l IH]; simpl; [ring|rewrite IH; ring]. Qed.
 Lemma ac_plus f g : ac f -> ac g -> ac (fun t => f t + g t).
 Proof.
   intros F G T HT e He. destruct (F T HT (e / 2)) as (d1 & H1 & K1); [lra|].
-    destruct (G T HT (e / 2)) as (d2 & H2 & K2); [lra|].
-  smaller d1 d2. intros l C L. specialize (K1 l C ltac:(lra)). specialize (K2 l C ltac:(lra)).
-  cut (moves (fun t => f t + g t) l <= moves f l + moves g l); [lra|]. clear. induction l as [|(p, q) l IH]; simpl;
-    [lra|].
+  destruct (G T HT (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros l C L. specialize (K1 l C ltac:(lra)).
+  specialize (K2 l C ltac:(lra)). cut (moves (fun t => f t + g t) l <= moves f l + moves g l); [lra|]. clear.
+  induction l as [|(p, q) l IH]; simpl; [lra|].
   replace (f q + g q - (f p + g p)) with ((f q - f p) + (g q - g p)) by ring.
-    pose proof (Rabs_triang (f q - f p) (g q - g p)). lra.
+  pose proof (Rabs_triang (f q - f p) (g q - g p)). lra.
 Qed.
 Lemma ac_scal c f : ac f -> ac (fun t => c * f t).
 Proof.
@@ -80,8 +79,7 @@ Qed.
 Lemma cont_ac f : ac f -> cont f.
 Proof.
   intros F t Ht e He. destruct (F (t + 1) ltac:(lra) (e / 2) ltac:(lra)) as (d & Hd & K).
-  exists (Rmin d 1); split; [positive|]. intros s Hs Hd1. pose proof (Rmin_l d 1).
-    pose proof (Rmin_r d 1).
+  exists (Rmin d 1); split; [positive|]. intros s Hs Hd1. pose proof (Rmin_l d 1). pose proof (Rmin_r d 1).
   apply Rabs_def2 in Hd1. destruct (Rle_dec s t).
   - specialize (K [(s, t)]). simpl in K. rewrite Rabs_minus_sym. lra.
   - specialize (K [(t, s)]). simpl in K. lra.
@@ -270,8 +268,8 @@ Proof. intros I A T HT. destruct (A T HT) as (N & HN & F). exists N. split; auto
 Lemma almost_crowded (E : R -> Prop) : almost (fun t => E t -> forall d, 0 < d -> exists r, t - d < r < t /\ E r).
 Proof.
   intros T HT. exists (fun t => 0 <= t /\ E t /\ exists d, 0 < d /\ forall r, t - d < r < t -> ~ E r). split.
-  - apply null_first. intros t (Ht & Et & d & Hd & No). split; [auto|]. exists d. split; [auto|]. intros r Hr (_ & Er & _).
-    exact (No r Hr Er).
+  - apply null_first. intros t (Ht & Et & d & Hd & No). split; [auto|]. exists d. split; [auto|].
+    intros r Hr (_ & Er & _). exact (No r Hr Er).
   - intros t Ht No Et d Hd. apply Classical_Prop.NNPP. intros F. apply No. repeat split; [lra|auto|]. exists d.
     split; [auto|]. eauto.
 Qed.

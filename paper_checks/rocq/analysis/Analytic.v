@@ -34,7 +34,8 @@ Proof.
   destruct j as [|j]; [exists h; split; [lra|]; rewrite Nat.add_0_r; simpl; field|].
   destruct (Taylor_Lagrange (P i) j 0 h) as (z & Hz & E); [lra| |].
   { intros t Ht [|k] _; [exact I|]. eexists. apply (derivatives i (S k)); auto. }
-  exists z. split; [lra|]. rewrite E, Rminus_0_r, (is_derive_n_unique _ _ _ _ (derivatives i (S j) z (In z ltac:(lra)))).
+  exists z. split; [lra|].
+  rewrite E, Rminus_0_r, (is_derive_n_unique _ _ _ _ (derivatives i (S j) z (In z ltac:(lra)))).
   rewrite sum_eq_R0; [ring|]. intros n Hn.
   rewrite (is_derive_n_unique _ _ _ _ (derivatives i n 0 (In 0 ltac:(lra)))), Z by lia. ring.
 Qed.

@@ -93,9 +93,10 @@ Hypothesis Cc : cont c.
 (** near a time at which it is g away from c *)
 Let near t g : 0 <= t -> 0 < g -> exists d, 0 < d /\ forall u, t <= u < t + d -> Rabs (c u - c t) < g / 4 /\ B u - B t < g / 8.
 Proof.
-  intros Ht Hg. destruct (Cc t Ht (g / 4)) as (d1 & H1 & K1); [lra|]. destruct (CB t Ht (g / 8)) as (d2 & H2 & K2); [lra|].
-  smaller d1 d2. intros u Hu. assert (A : Rabs (u - t) < Rmin d1 d2) by (rewrite Rabs_pos_eq; lra).
-  split; [apply K1; lra|]. specialize (K2 u ltac:(lra) ltac:(lra)). apply Rabs_def2 in K2. lra.
+  intros Ht Hg. destruct (Cc t Ht (g / 4)) as (d1 & H1 & K1); [lra|].
+  destruct (CB t Ht (g / 8)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros u Hu.
+  assert (A : Rabs (u - t) < Rmin d1 d2) by (rewrite Rabs_pos_eq; lra). split; [apply K1; lra|].
+  specialize (K2 u ltac:(lra) ltac:(lra)). apply Rabs_def2 in K2. lra.
 Qed.
 
 (** apart from c it moves as B does, towards c *)
@@ -223,7 +224,8 @@ Proof.
   assert (Up : forall j, a j - r j <= a (S j) - r (S j)) by (intros j; destruct (Half j) as (-> & Q); lra).
   assert (Down : forall j, a (S j) + r (S j) <= a j + r j) by (intros j; destruct (Half j) as (-> & Q); lra).
   destruct (ex_lim_seq_adj (fun j => a j - r j) (fun j => a j + r j) Up Down) as ((l & Hl) & (k & Hk) & _).
-  { apply is_lim_seq_ext with (fun j => r j + r j); [intros; ring|]. rewrite <- (Rplus_0_r 0). apply is_lim_seq_plus'; auto. }
+  { apply is_lim_seq_ext with (fun j => r j + r j); [intros; ring|]. rewrite <- (Rplus_0_r 0).
+    apply is_lim_seq_plus'; auto. }
   assert (La : is_lim_seq a l).
   { apply is_lim_seq_ext with (fun j => (a j - r j) + r j); [intros; ring|]. rewrite <- (Rplus_0_r l).
     apply is_lim_seq_plus'; auto. }
@@ -267,7 +269,8 @@ Proof.
 Qed.
 Let limit_cont i : cont (limit i).
 Proof.
-  intros t Ht e He. pose proof (exp_pos (lam * (t + 1))) as Ep. destruct (limit_near (t + 1) ltac:(lra)) as (C & CT & Near).
+  intros t Ht e He. pose proof (exp_pos (lam * (t + 1))) as Ep.
+  destruct (limit_near (t + 1) ltac:(lra)) as (C & CT & Near).
   destruct (small (C * exp (lam * (t + 1))) (e / 3)) as (n & Hn); [nra|lra|].
   destruct (iterate_cont n i t Ht (e / 3)) as (d & Hd & Kd); [lra|]. smaller d 1. intros u Hu Hd1.
   assert (B : forall r, 0 <= r <= t + 1 -> Rabs (limit i r - iterate n i r) < e / 3).
@@ -290,8 +293,8 @@ Proof.
   { apply (Half limit (iterate n) _ t); auto using iterate_cont; [|lra].
     pose proof (pow_le (/ 2) n ltac:(lra)). nra. }
   pose proof (Near (S n) i t ltac:(lra)) as Q. simpl pow in Q.
-  replace (next limit i t - limit i t) with ((next limit i t - iterate (S n) i t) - (limit i t - iterate (S n) i t)) in Hn by ring.
-  pose proof (Rabs_triang (next limit i t - iterate (S n) i t) (- (limit i t - iterate (S n) i t))) as T.
+  replace (next limit i t - limit i t) with ((next limit i t - iterate (S n) i t) - (limit i t - iterate (S n) i t)) in
+    Hn by ring. pose proof (Rabs_triang (next limit i t - iterate (S n) i t) (- (limit i t - iterate (S n) i t))) as T.
   rewrite Rabs_Ropp in T. unfold Rminus at 1 in Hn. lra.
 Qed.
 End Fixed.

@@ -38,8 +38,8 @@ Lemma cos_below z : 0 <= z <= 1 -> 1 - z ^ 2 / 2 <= cos z.
 Proof.
   intros Hz. replace z with (2 * (z / 2)) at 2 by field. rewrite cos_2a_sin.
   destruct (Req_dec z 0) as [->|N]. { replace (0 / 2) with 0 by field. rewrite sin_0. lra. }
-  assert (sin (z / 2) < z / 2) by (apply sin_lt_x; lra). assert (0 <= sin (z / 2)). { pose proof PI2_1.
-  apply sin_ge_0; lra. } nra.
+  assert (sin (z / 2) < z / 2) by (apply sin_lt_x; lra). assert (0 <= sin (z / 2)).
+  { pose proof PI2_1. apply sin_ge_0; lra. } nra.
 Qed.
 
 Section Limit.
@@ -153,8 +153,7 @@ Qed.
 Lemma outing_pos l : Ecr m1 m2 a2 b < l -> 0 < outing l.
 Proof.
   intros Hl. pose proof (room_pos l Hl) as G. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP.
-    apply Rdiv_lt_0_compat; auto.
-  apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; [lra|]. unfold room in G. lra.
+  apply Rdiv_lt_0_compat; auto. apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; [lra|]. unfold room in G. lra.
 Qed.
 Lemma toll_pos l : Ecr m1 m2 a2 b < l -> 0 < toll l.
 Proof.
@@ -180,8 +179,8 @@ Proof.
   assert (Eg : R0 = LL + 4 * g) by (unfold g, room; fold LL R0; field). assert (R0sq : R0 * R0 = 2 * l / a2).
   { apply sqrt_sqrt. apply Rlt_le, Rdiv_lt_0_compat; auto. pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. nra. }
   set (z := Rmin 1 (2 * g / R0)). assert (Ez : tau = z / om) by reflexivity. assert (Hz1 : z <= 1) by apply Rmin_l.
-  assert (Hz2 : z <= 2 * g / R0) by apply Rmin_r. assert (Hz3 : R0 * z <= 2 * g). {
-  replace (2 * g) with (R0 * (2 * g / R0)) by (field; lra). apply Rmult_le_compat_l; lra. }
+  assert (Hz2 : z <= 2 * g / R0) by apply Rmin_r. assert (Hz3 : R0 * z <= 2 * g).
+  { replace (2 * g) with (R0 * (2 * g / R0)) by (field; lra). apply Rmult_le_compat_l; lra. }
   assert (Hd3 : kap * d <= g / 2). { replace (g / 2) with (kap * (g / (2 * kap))) by (field; lra).
     apply Rmult_le_compat_l; lra. }
   destruct (contact m1 m2 0 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s T H HT) as (tc & Htc & Ev).
@@ -189,14 +188,14 @@ Proof.
   assert (Wc : w tc = 0) by (unfold w; lra). pose proof PI_RGT_0 as P0. assert (P1 : 0 < 2 * PI / om) by positive.
   assert (TW : tc + 2 * PI / om + tau <= T + W).
   { unfold W, spell. fold tau om. assert (2 * sqrt (2 * E T * m2) / b <= 2 * sqrt (2 * e * m2) / b); [|lra].
-    apply Rmult_le_compat_r; [positive|]. apply Rmult_le_compat_l; [lra|].
-      apply sqrt_le_1_alt. nra. }
+    apply Rmult_le_compat_r; [positive|]. apply Rmult_le_compat_l; [lra|]. apply sqrt_le_1_alt. nra. }
   assert (High : forall u, T <= u <= T + W -> l <= E u /\ E T - d < E u <= E T).
   { intros u Hu. pose proof (E_mono u (T + W) ltac:(lra)). pose proof (E_mono T u ltac:(lra)). lra. }
   pose proof (energy_turned m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2 tc) as EAB. cbv beta in EAB. fold (E tc) (w tc) turned in EAB.
   rewrite Wc in EAB. pose proof (fun phi => turned_phase m1 m2 a2 x v1 v2 phi tc : turned phi tc = _) as Phase.
-  fold turned in Phase. set (A := turned 0 tc) in *. set (B := turned (- (PI / 2)) tc) in *. set (R := sqrt (A ^ 2 + B ^ 2)).
-  assert (Rsq : R * R = A ^ 2 + B ^ 2). { apply sqrt_sqrt. pose proof (pow2_ge_0 A). pose proof (pow2_ge_0 B). lra. }
+  fold turned in Phase. set (A := turned 0 tc) in *. set (B := turned (- (PI / 2)) tc) in *.
+  set (R := sqrt (A ^ 2 + B ^ 2)). assert (Rsq : R * R = A ^ 2 + B ^ 2).
+  { apply sqrt_sqrt. pose proof (pow2_ge_0 A). pose proof (pow2_ge_0 B). lra. }
   assert (HR : R0 <= R).
   { assert (0 <= R) by apply sqrt_pos. assert (R0 * R0 <= R * R); [|nra]. rewrite R0sq.
     apply Rmult_le_reg_r with a2; auto.
@@ -231,8 +230,7 @@ Theorem limit_not_above l : (forall t, 0 <= t -> l <= E t) -> (forall e, 0 < e -
   l <= Ecr m1 m2 a2 b.
 Proof.
   intros Hl Hlim. apply Rnot_lt_le. intros N. pose proof (toll_pos l N) as D.
-    destruct (Hlim (toll l / 2)) as (T & HT & K); [lra|].
-  pose proof (spell_pos (E T) l N) as Sp.
+  destruct (Hlim (toll l / 2)) as (T & HT & K); [lra|]. pose proof (spell_pos (E T) l N) as Sp.
   pose proof (Hl (T + spell (E T) l) ltac:(lra)) as High. pose proof (toll_paid (E T) l T N HT (Rle_refl _) High).
   specialize (K T ltac:(lra)). lra.
 Qed.

@@ -206,9 +206,11 @@ Proof.
     (rderiv_scal (o * k) _ _ _ (q_slip _ _ _ _ _ _ H q ltac:(lra) k Hk ltac:(lra))))) as D.
   assert (N : f + (k * - (a2 * x q + a1 * v1 q) - o * k * k) <= 0).
   { apply Rmult_le_reg_l with m2; auto. replace (o * k * k) with o by (destruct Hk; subst k; ring).
-    replace (m2 * (f + _)) with (m2 * (f - k * (a2 * x q + a1 * v1 q)) - b * (m1 + m2)) by (unfold o; field; lra). lra. }
-  intros g Hg. destruct (D (m1 * g)) as (d & Hd & K); [positive|]. exists d. split; auto. intros h Hh. specialize (K h Hh).
-  pose proof (moves_v2 q (q + h) ltac:(lra) ltac:(lra)) as V. cbv beta in K |- *. apply Rmult_le_reg_l with m1; auto.
+    replace (m2 * (f + _)) with (m2 * (f - k * (a2 * x q + a1 * v1 q)) - b * (m1 + m2)) by (unfold o; field; lra). lra.
+  }
+  intros g Hg. destruct (D (m1 * g)) as (d & Hd & K); [positive|]. exists d. split; auto. intros h Hh.
+  specialize (K h Hh). pose proof (moves_v2 q (q + h) ltac:(lra) ltac:(lra)) as V. cbv beta in K |- *.
+  apply Rmult_le_reg_l with m1; auto.
   match type of K with ?l <= _ => replace (m1 * _) with l at 1 by (replace (v2 (q + h)) with (v2 q + b / m2 *
     (s (q + h) - s q)) by lra; unfold o; field; lra) end. nra.
 Qed.

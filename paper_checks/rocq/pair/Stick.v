@@ -93,7 +93,8 @@ Proof.
     replace (m2 / b * (- (a2 / (m1 + m2)) * X x0 v0 t)) with (- (k * X x0 v0 t)) by (unfold k; ring). nra. }
   constructor; auto.
   - intros r t Hr. rewrite <- (Rmult_1_l (t - r)).
-    eapply (lip_between (fun t => m2 / b * V x0 v0 t)); [apply cont_scal, CV|auto|]. intros u _. split; [apply RS|apply Sl].
+    eapply (lip_between (fun t => m2 / b * V x0 v0 t)); [apply cont_scal, CV|auto|]. intros u _.
+    split; [apply RS|apply Sl].
   - intros; lra.
   - intros; lra.
   - intros; apply rderiv_of_derive, derive_X.

@@ -72,24 +72,25 @@ Lemma energy_beside a d t : energy m1 m2 a2 (x t - X m1 m2 a2 a (om * d) t) (v1 
     (v2 t - V m1 m2 a2 a (om * d) t)
   = a2 / 2 * ((turned 0 t - a) ^ 2 + (turned (- (PI / 2)) t - d) ^ 2) + m1 * m2 / (2 * M) * w t ^ 2.
 Proof.
-  unfold turned. fold om M. fold (P t). rewrite Rplus_0_r. replace (om * t + - (PI / 2)) with (- (PI / 2 - om * t)) by ring.
-  rewrite cos_neg, sin_neg, cos_shift, sin_shift. unfold X, V. fold om.
-  pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC.
+  unfold turned. fold om M. fold (P t). rewrite Rplus_0_r.
+  replace (om * t + - (PI / 2)) with (- (PI / 2 - om * t)) by ring. rewrite cos_neg, sin_neg, cos_shift, sin_shift.
+  unfold X, V. fold om. pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC.
   replace (x t - (a * cos (om * t) + om * d / om * sin (om * t)))
-    with (x t - (a * cos (om * t) + d * sin (om * t))) by (field; lra).
-  set (co := cos (om * t)) in *. set (si := sin (om * t)) in *. set (p := P t / (M * om)).
-  set (f1 := x t - (a * co + d * si)). set (f2 := p - (d * co - a * si)).
+    with (x t - (a * cos (om * t) + d * sin (om * t))) by (field; lra). set (co := cos (om * t)) in *.
+  set (si := sin (om * t)) in *. set (p := P t / (M * om)). set (f1 := x t - (a * co + d * si)).
+  set (f2 := p - (d * co - a * si)).
   replace (x t * co - p * si - a) with (f1 * co - f2 * si + a * (si * si + co * co - 1)) by (unfold f1, f2; ring).
   replace (x t * si - p * - co - d) with (f1 * si + f2 * co + d * (si * si + co * co - 1)) by (unfold f1, f2; ring).
   rewrite SC. replace ((f1 * co - f2 * si + a * (1 - 1)) ^ 2 + (f1 * si + f2 * co + d * (1 - 1)) ^ 2) with
-    ((f1 ^ 2 + f2 ^ 2) * (si * si + co * co)) by ring. rewrite SC. unfold energy, f2, p. rewrite Ma.
-  unfold w, P, M. field. lra.
+    ((f1 ^ 2 + f2 ^ 2) * (si * si + co * co)) by ring. rewrite SC. unfold energy, f2, p. rewrite Ma. unfold w, P, M.
+  field. lra.
 Qed.
 
 (** as the energy by itself *)
 Lemma energy_turned t : E t = a2 / 2 * (turned 0 t ^ 2 + turned (- (PI / 2)) t ^ 2) + m1 * m2 / (2 * M) * w t ^ 2.
 Proof.
-  pose proof (energy_beside 0 0 t) as Q. rewrite !Rminus_0_r in Q. rewrite <- Q. unfold E, X, V. fold om. f_equal; field; lra.
+  pose proof (energy_beside 0 0 t) as Q. rewrite !Rminus_0_r in Q. rewrite <- Q. unfold E, X, V. fold om.
+  f_equal; field; lra.
 Qed.
 
 (** a slip whose velocity cannot jump vanishes *)
@@ -97,7 +98,8 @@ Lemma slip_vanishes K : 0 < K -> (forall r t, 0 <= r <= t -> Rabs (w t - w r) <=
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (w t) <= e.
 Proof.
   intros HK Lw. set (J := integral (fun t => Rabs (w t))). pose proof (cont_abs _ Cw) as Ca.
-  apply (paid_vanishes E c (fun t _ => energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _) E_mono Hc (fun t => Rabs (w t)) J K); auto.
+  apply (paid_vanishes E c (fun t _ => energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _) E_mono Hc (fun t => Rabs (w t)) J K);
+    auto.
   - apply integral_cont, Ca.
   - intros t Ht. split; [apply Rabs_pos|apply (integral_rderiv _ t Ca Ht)].
   - intros r t Hr. eapply Rle_trans; [apply Rabs_triang_inv2|auto].
@@ -112,11 +114,12 @@ Theorem tends : (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs
     energy m1 m2 a2 x0 v0 v0 = l.
 Proof.
   intros Vw. destruct (dec_limit E E_mono ltac:(intros; apply energy_pos; auto)) as (l & _ & Below & Lim).
-  assert (Li : forall f g, (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (f t - g) <= e) -> is_lim f p_infty g).
+  assert (Li : forall f g, (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (f t - g) <= e) -> is_lim f
+    p_infty g).
   { intros f g Q. apply is_lim_spec. intros e. destruct (Q (e / 2)) as (T & _ & K); [pose proof (cond_pos e); lra|].
     exists T. intros t Ht. specialize (K t ltac:(lra)). pose proof (cond_pos e). lra. }
-  assert (LE : forall l, (forall t, 0 <= t -> l <= E t) -> (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> E t <= l + e) ->
-    is_lim E p_infty l).
+  assert (LE : forall l, (forall t, 0 <= t -> l <= E t) -> (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> E
+    t <= l + e) -> is_lim E p_infty l).
   { intros l' B Q. apply Li. intros e He. destruct (Q e He) as (T & HT & K). exists T. split; auto. intros t Ht.
     specialize (K t Ht). specialize (B t ltac:(lra)). apply Rabs_le. lra. }
   assert (LT : forall phi, exists g : R, is_lim (turned phi) p_infty g).
@@ -129,20 +132,22 @@ Proof.
   destruct (LT 0) as (a & La). destruct (LT (- (PI / 2))) as (d & Ld). exists a, (om * d).
   assert (Lq : forall a' d', is_lim (fun t => a2 / 2 * ((turned 0 t - a') ^ 2 + (turned (- (PI / 2)) t - d') ^ 2)
     + m1 * m2 / (2 * M) * w t ^ 2) p_infty (a2 / 2 * ((a - a') ^ 2 + (d - d') ^ 2))).
-  { intros a' d'. assert (S : forall f (g g' : R), is_lim f p_infty g -> is_lim (fun t => (f t - g') ^ 2) p_infty ((g - g') ^ 2)).
+  { intros a' d'.
+    assert (S : forall f (g g' : R), is_lim f p_infty g -> is_lim (fun t => (f t - g') ^ 2) p_infty ((g - g') ^ 2)).
     { intros f g g' Lf. apply is_lim_ext with (fun t => (f t - g') * (f t - g')); [intros; ring|].
       replace (Finite ((g - g') ^ 2)) with (Rbar_mult (g - g') (g - g')) by (simpl; f_equal; ring).
       assert (Lm : is_lim (fun t => f t - g') p_infty (g - g')) by (apply is_lim_minus'; [auto|apply is_lim_const]).
       apply is_lim_mult; auto. simpl. auto. }
     replace (Finite (a2 / 2 * ((a - a') ^ 2 + (d - d') ^ 2))) with
       (Finite (a2 / 2 * ((a - a') ^ 2 + (d - d') ^ 2) + m1 * m2 / (2 * M) * (0 - 0) ^ 2)) by (f_equal; ring).
-    apply is_lim_plus'; [apply (is_lim_scal_l _ (a2 / 2) p_infty ((a - a') ^ 2 + (d - d') ^ 2)), is_lim_plus'; apply S; auto|].
-    apply (is_lim_ext (fun t => m1 * m2 / (2 * M) * (w t - 0) ^ 2)); [intros; rewrite Rminus_0_r; auto|].
+    apply is_lim_plus'; [apply (is_lim_scal_l _ (a2 / 2) p_infty ((a - a') ^ 2 + (d - d') ^ 2)), is_lim_plus'; apply S;
+      auto|]. apply (is_lim_ext (fun t => m1 * m2 / (2 * M) * (w t - 0) ^ 2)); [intros; rewrite Rminus_0_r; auto|].
     apply (is_lim_scal_l _ (m1 * m2 / (2 * M)) p_infty ((0 - 0) ^ 2)), S, Lw. }
   split.
   - intros e He. pose proof (Lq a d) as Q. rewrite !Rminus_diag_eq in Q by auto. apply is_lim_spec in Q.
-    destruct (Q (mkposreal e He)) as (T & K). exists (Rmax 0 (T + 1)). pose proof (Rmax_l 0 (T + 1)). pose proof (Rmax_r 0 (T + 1)).
-    split; auto. intros t Ht. rewrite energy_beside. specialize (K t ltac:(lra)). simpl pos in K. apply Rabs_def2 in K. lra.
+    destruct (Q (mkposreal e He)) as (T & K). exists (Rmax 0 (T + 1)). pose proof (Rmax_l 0 (T + 1)).
+    pose proof (Rmax_r 0 (T + 1)). split; auto. intros t Ht. rewrite energy_beside. specialize (K t ltac:(lra)).
+    simpl pos in K. apply Rabs_def2 in K. lra.
   - intros l' B Q. assert (El : Finite (a2 / 2 * ((a - 0) ^ 2 + (d - 0) ^ 2)) = Finite l').
     { rewrite <- (is_lim_unique _ _ _ (LE l' B Q)), <- (is_lim_unique _ _ _ (Lq 0 0)). apply Lim_ext. intros t.
       rewrite !Rminus_0_r. apply energy_turned. }

@@ -47,17 +47,17 @@ Proof.
     apply rderiv_dini with (w' * w t + w t * w'); [|apply rderiv_mult; exact R]. cut (w t * w' <= 0); [lra|].
     assert (W : m1 * w' = - (a2 * x t + a1 * ((m1 * v1 t + m2 * v2 t) / M)) - k * (b * M / m2) - a1 * m2 / M * w t).
     { unfold w', w, M. field. unfold M in Mp. lra. }
-    assert (0 <= a1 * m2 / M) by positive.
-    assert (m1 * (w t * w') <= 0); [|nra]. replace (m1 * (w t * w')) with (w t * (m1 * w')) by ring. rewrite W.
+    assert (0 <= a1 * m2 / M) by positive. assert (m1 * (w t * w') <= 0); [|nra].
+    replace (m1 * (w t * w')) with (w t * (m1 * w')) by ring. rewrite W.
     assert (0 <= a1 * m2 / M * (w t * w t)) by (apply Rmult_le_pos; [auto|nra]).
     set (l := a2 * x t + a1 * ((m1 * v1 t + m2 * v2 t) / M)) in *. set (c := b * M / m2) in *.
-      destruct Hk; subst k; nra. }
+    destruct Hk; subst k; nra. }
   destruct (Rtotal_order (w t) 0) as [Lt|[Eq|Gt]]; [apply (Sl (-1)); auto; lra| |apply (Sl 1); auto; lra].
   apply rderiv_dini with 0; [lra|].
   pose proof (moves_gap_big _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 Ht (rderiv_const 0 t)) as B. fold (w t) in B.
   intros e He. destruct (big_mult _ _ B B e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-    specialize (K h Hh). simpl in K.
-  rewrite Eq in *. replace (w (t + h) * w (t + h) - 0 * 0 - 0 * h) with ((w (t + h) - 0) * (w (t + h) - 0)) by
+  specialize (K h Hh). simpl in K. rewrite Eq in *.
+  replace (w (t + h) * w (t + h) - 0 * 0 - 0 * h) with ((w (t + h) - 0) * (w (t + h) - 0)) by
     ring. exact K.
 Qed.
 
@@ -118,8 +118,8 @@ Proof.
     pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v1). pose proof (pow2_ge_0 v2). pose proof (pow2_ge_0 (v1 - v2)).
     assert (0 <= m1 * m2 * (v1 - v2) ^ 2) by positive. assert (0 <= / a2 * (m1 * v1 ^ 2 + m2 * v2 ^ 2)) by positive.
     assert (0 <= M * (a2 * x ^ 2)) by positive. lra. }
-  pose proof (pow2_ge_0 (x + (m1 * v1 + m2 * v2))). pose proof (pow2_ge_0 (x - (m1 * v1 + m2 * v2))).
-    apply Rabs_le. nra.
+  pose proof (pow2_ge_0 (x + (m1 * v1 + m2 * v2))). pose proof (pow2_ge_0 (x - (m1 * v1 + m2 * v2))). apply Rabs_le.
+  nra.
 Qed.
 
 (** The strict Lyapunov function E + c x P, for c small on {E <= E0}: its rate is at most -k times itself. *)
@@ -202,7 +202,8 @@ Proof.
   assert (CL : cont L).
   { apply cont_plus; [exact (moves_cE m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)|].
     apply cont_scal, cont_mult; [apply (s_cx _ _ _ _ _ _ _ _ _ H)|].
-    apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
+    apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _
+      H)]. }
   assert (Q : L t <= exp (- k * t) * L 0).
   { set (L' := fun u => (- b * Rabs (v1 u - v2 u) - a1 * v1 u ^ 2) + c * (v1 u * P u + x u * - (a2 * x u + a1 * v1 u))).
     apply in_proportion; auto. intros u Hu. apply rderiv_dini with (L' u); [exact (Rate _ _ _ (Em u Hu))|].
@@ -230,8 +231,7 @@ Proof.
   exists T; split; [unfold T; lra|]. intros x v1 v2 s H B t Ht. assert (HE0 : energy (x T0) (v1 T0) (v2 T0) <= d).
   { eapply Rle_trans; [apply (D x v1 v2 s H B T0 HT0)|]. replace (- k * T0) with (- (k * T0)) by ring. rewrite exp_Ropp.
     pose proof (exp_pos (k * T0)). apply Rmult_le_reg_r with (exp (k * T0)); auto.
-      rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-    assert (1 + k * T0 <= exp (k * T0)) by apply exp_ineq1_le.
+    rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. assert (1 + k * T0 <= exp (k * T0)) by apply exp_ineq1_le.
     assert (d * (k * T0) = 3 * E0) by (unfold T0; field; lra). nra. }
   assert (Cap : captive m1 m2 a1 a2 b (energy (x T0) (v1 T0) (v2 T0))).
   { assert (0 <= energy (x T0) (v1 T0) (v2 T0)) by (exact (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _)).

@@ -117,9 +117,9 @@ Proof.
   { destruct (Req_dec (1 + f' * Gr l) 0) as [E2|E2]; [destruct (Req_dec (f' * Gi l) 0) as [E1|E1]|].
     1: { exists 1, 0. assert (Gz : Gi l = 0) by (apply Rmult_integral in E1; nra). rewrite E2, Gz. lra. }
     all: exists (f' * Gi l), (1 + f' * Gr l); split; [auto|split; [ring|rewrite <- Xl; unfold X; ring]]. }
-  destruct Null as (g & g' & NZ & R1 & R2). pose proof (N_pos l ltac:(lra)) as Np. assert (S0 : 0 < l ^ 2 + om ^ 2) by nra.
-  set (q := - (g * Kr l + g' * Ki l) / N l). set (q' := - (g' * Kr l - g * Ki l) / N l).
-  set (v := l * q - om * q'). set (v' := l * q' + om * q).
+  destruct Null as (g & g' & NZ & R1 & R2). pose proof (N_pos l ltac:(lra)) as Np.
+  assert (S0 : 0 < l ^ 2 + om ^ 2) by nra. set (q := - (g * Kr l + g' * Ki l) / N l).
+  set (q' := - (g' * Kr l - g * Ki l) / N l). set (v := l * q - om * q'). set (v' := l * q' + om * q).
   set (w := (g * l + g' * om) / (m2 * (l ^ 2 + om ^ 2))). set (w' := (g' * l - g * om) / (m2 * (l ^ 2 + om ^ 2))).
   exists l, q, q', v, v', w, w', g, g'. split; [auto|split; [|auto]].
   assert (Vw : v - w = - (Gr l * g - Gi l * g')) by (unfold v, w, q, q', Gr, Gi; field; lra).

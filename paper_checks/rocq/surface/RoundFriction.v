@@ -74,7 +74,8 @@ Proof.
   assert (Dx : forall t, Derive (fun u => x u) t = v t) by (intros; apply is_derive_unique, X).
   assert (Dv : forall t, Derive (fun u => v u) t = - (om * om) * x t) by (intros; apply is_derive_unique, V).
   assert (Const : forall f, (forall t, is_derive f t 0) -> f t = f 0).
-  { intros f D. destruct (MVT_gen f 0 t (fun _ => 0)) as (m & _ & E); [auto|intros; apply derivable_continuous_pt; eexists;
+  { intros f D.
+    destruct (MVT_gen f 0 t (fun _ => 0)) as (m & _ & E); [auto|intros; apply derivable_continuous_pt; eexists;
       apply is_derive_Reals, D|lra]. }
   assert (C : c t = c 0) by (apply Const; intros u; unfold c; auto_derive; [repeat split; eexists; eauto|rewrite Dx, Dv;
     field; lra]).

@@ -66,8 +66,7 @@ Lemma entry x v1 x2 v2 slips now later e : unfolds x v1 x2 v2 0 (slips ++ now ::
       unfolds x v1 x2 v2 ta later e.
 Proof.
   intros U N S. apply slips_first in U; [|intros m Hm; apply S, in_or_app; auto].
-    destruct U as (times & Ws & In1 & Co & Nd & U).
-  assert (P : 0 <= List.last times 0).
+  destruct U as (times & Ws & In1 & Co & Nd & U). assert (P : 0 <= List.last times 0).
   { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
   destruct U as (ta & Ha & Wa & Xa & _ & Va & Ea & Ma & U). exists ta, times. split; [lra|]. do 4 (split; [auto|]).
   split; [clear - Ws; induction Ws; simpl; auto|]. split; [exact Nd|]. split; [|auto]. intros u. split.

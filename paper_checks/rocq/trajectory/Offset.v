@@ -61,8 +61,8 @@ Proof.
   assert (Near : forall t, t1 <= t -> dx t ^ 2 + dv t ^ 2 <= 1 / 10).
   { intros t Ht. pose proof (forced_contraction 1 1 1 1 1 One One ltac:(lra) One half_sine _ _ _ _ _ _ _ _ t1 t H F
       ltac:(lra)) as Q. rewrite <- Ev in Q. unfold energy in Q. fold (dx t) (dx t1) (dv t) (dv t1) in Q.
-      pose proof (pow2_ge_0 (v2 t - swing' t)).
-    assert (X1 : Rabs (dx t1) <= 273 / 1000). { unfold dx, swing. interval with (i_prec 60). }
+    pose proof (pow2_ge_0 (v2 t - swing' t)). assert (X1 : Rabs (dx t1) <= 273 / 1000).
+    { unfold dx, swing. interval with (i_prec 60). }
     assert (V1 : Rabs (dv t1) <= 97 / 1000). { unfold dv, swing'. interval with (i_prec 60). }
     apply Rabs_inv in X1. apply Rabs_inv in V1. nra. }
   assert (St : forall t, t1 <= t -> v1 t = v2 t).
@@ -80,9 +80,8 @@ Proof.
   { intros p q Hp. apply (lip_of_rderiv half_sine (fun t => sin t / 2)); auto. intros u _.
     split; [apply rderiv_of_derive; auto|]. pose proof (SIN_bound u). apply Rabs_le. lra. }
   exists (Rmax T t1). pose proof (Rmax_l T t1). pose proof (Rmax_r T t1). split; [lra|]. intros t Ht.
-  specialize (K t ltac:(lra)). unfold energy in K.
-  pose proof (pow2_ge_0 (x t - swing t)). pose proof (pow2_ge_0 (v1 t - swing' t)).
-    pose proof (pow2_ge_0 (v2 t - swing' t)).
+  specialize (K t ltac:(lra)). unfold energy in K. pose proof (pow2_ge_0 (x t - swing t)).
+  pose proof (pow2_ge_0 (v1 t - swing' t)). pose proof (pow2_ge_0 (v2 t - swing' t)).
   assert (Q : forall y, y ^ 2 <= e ^ 2 -> Rabs y <= e) by (intros y Hy; apply Rabs_le, sq_le_abs; lra).
   split; [apply Q; lra|]. split; [apply Q; lra|]. assert (Z : (x t - x2 t) - (x t1 - x2 t1) = 0 * (t - t1)).
   { apply (rderiv_line (fun u => x u - x2 u)); [apply cont_minus; [exact (f_cx _ _ _ _ _ _ _ _ _ _ H)|auto]|lra|].

@@ -136,7 +136,8 @@ Proof.
     destruct T as (u & -> & Hu').
     pose proof (forced_contraction M1 M2 A1 A2 B Hm1 Hm2 Ha1 HB _ _ _ _ _ _ _ _ _ 0 u Sh G ltac:(lra)) as Q.
     cbv beta in Q. rewrite Rplus_0_r in Q. rewrite !L by lra. replace (S + r + u) with (S + (r + u)) by ring.
-    destruct (E r Hr) as (-> & -> & ->), (E (r + u) ltac:(lra)) as (-> & -> & ->). rewrite <- Z0, <- U10, <- U20. exact Q.
+    destruct (E r Hr) as (-> & -> & ->), (E (r + u) ltac:(lra)) as (-> & -> & ->). rewrite <- Z0, <- U10, <- U20.
+    exact Q.
 Qed.
 
 (** spell after spell *)
@@ -436,8 +437,8 @@ Proof.
 Qed.
 Lemma has_dsteady Y y : has_steady Y y -> has_steady (dsteady boxes Y) (dsteady real y).
 Proof.
-  intros []. constructor; cbn [from poly tones dsteady]; auto using has_dpoly.
-  apply (has_map has_tone); auto. intros Z z []. constructor; cbn [in_sine in_cosine rise_sine rise_cosine turn phase dtone]; has.
+  intros []. constructor; cbn [from poly tones dsteady]; auto using has_dpoly. apply (has_map has_tone); auto.
+  intros Z z []. constructor; cbn [in_sine in_cosine rise_sine rise_cosine turn phase dtone]; has.
 Qed.
 Lemma has_scaled F f Y y : (forall i r, has i r -> has (F i) (f r)) -> has_steady Y y ->
   has_steady (scaled F Y) (scaled f y).
@@ -557,7 +558,8 @@ Proof. intros []. constructor; cbn [steep parts side root]; auto using has_slope
 Lemma has_shared p F f G g u i : has_wave F f -> has i u -> has_wave G g -> side G = side F -> decay g = decay f ->
   square g = square f -> clock g = clock f -> angles g = angles f -> has (made p G i (swung p F i) (sung p F i)) (val g u).
 Proof.
-  intros W Hi V S D Q C A. apply has_made; auto; [rewrite S, D, Q; apply swung_spec|rewrite C, A; apply sung_spec]; auto.
+  intros W Hi V S D Q C A.
+  apply has_made; auto; [rewrite S, D, Q; apply swung_spec|rewrite C, A; apply sung_spec]; auto.
 Qed.
 Lemma angles_slope f : angles (slope f) = angles f.
 Proof. unfold angles. cbn. rewrite map_map. reflexivity. Qed.
@@ -594,8 +596,8 @@ Proof.
   { intros. apply (has_shared q F f); auto. rewrite !angles_slope. auto. }
   induction n as [|n IH]; intros a b; cbn [stays]; cbv zeta; intros St Hab Pa Pb u Hu; revert St.
   all: destruct (pos (made q F _ _ _)) eqn:E0; [intros _; apply (pos_spec _ _ E0), has_value, has_hull; auto|].
-  all: destruct (nonneg (made q (steep q F) _ _ _)) eqn:E1;
-    [intros _; apply (rising_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply (nonneg_spec _ _ E1), S', has_hull; auto|].
+  all: destruct (nonneg (made q (steep q F) _ _ _)) eqn:E1; [intros _; apply (rising_positive f (Q2R a) (Q2R b)); auto;
+    intros r Hr; apply (nonneg_spec _ _ E1), S', has_hull; auto|].
   all: destruct (nonneg (I.neg (made q (steep q F) _ _ _))) eqn:E2;
     [intros _; apply (falling_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply Ropp_le_cancel; rewrite Ropp_0;
       apply (nonneg_spec _ _ E2), J.neg_correct, S', has_hull; auto|].
@@ -1205,9 +1207,11 @@ Qed.
 Lemma follows_less B f lo hi hi' y w1 w2 : hi' <= hi -> follows M1 M2 A1 A2 B f lo hi y w1 w2 ->
   follows M1 M2 A1 A2 B f lo hi' y w1 w2.
 Proof.
-  assert (Less : forall lo y w1 w2, hi' <= hi -> obeys M1 M2 A1 A2 B f lo hi y w1 w2 -> obeys M1 M2 A1 A2 B f lo hi' y w1 w2).
+  assert (Less : forall lo y w1 w2, hi' <= hi -> obeys M1 M2 A1 A2 B f lo hi y w1 w2 -> obeys M1 M2 A1 A2 B f lo hi' y
+    w1 w2).
   { intros l z u1 u2 Hh O t0 T X V1 V2 g Ht HT Hd. apply O; auto. lra. }
-  intros Hh (O & N). split; [auto|]. intros t0 X V1 V2 Ht. destruct (N t0 X V1 V2 ltac:(lra)) as (z & u1 & z2 & u2 & St &
+  intros Hh (O & N). split; [auto|]. intros t0 X V1 V2 Ht.
+  destruct (N t0 X V1 V2 ltac:(lra)) as (z & u1 & z2 & u2 & St &
     Oz & C & D & E). exists z, u1, z2, u2. repeat (split; [auto|]). intros t Hu. apply E. lra.
 Qed.
 Lemma runs_now now later : runs M1 M2 A1 A2 x v1 v2 now later ->
@@ -1253,9 +1257,8 @@ Proof.
     destruct (passes_sound z u1 z2 u2 C2 D2 now y s (Some until) Hb ltac:(lra) Hy1 HyM H p steps _ s st1 K0 (Rle_refl s) E1)
       as (t1 & Ht1 & K1).
     destruct (rest_sound z u1 z2 u2 C2 D2 now y s (Some until) Hb ltac:(lra) Hy1 HyM H p _ t1 K1 Ht1 _ _ _ _ _ E2)
-      as (Ht2 & _ & _ & K2 & _).
-    pose proof (small_spec z u1 z2 u2 now y p _ _ _ _ (K2 B f) E) as Sm. rewrite Q2R_minus in Sm, Rd.
-    pose proof (Rle_trans _ _ _ (Near (Q2R until) ltac:(lra)) Cl) as Sn.
+      as (Ht2 & _ & _ & K2 & _). pose proof (small_spec z u1 z2 u2 now y p _ _ _ _ (K2 B f) E) as Sm.
+    rewrite Q2R_minus in Sm, Rd. pose proof (Rle_trans _ _ _ (Near (Q2R until) ltac:(lra)) Cl) as Sn.
     pose proof (energy_triangle M1 M2 A2 _ _ _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) Ra Rd Sn Sm) as T.
     eapply Rle_trans; [|eapply Rle_trans; [exact T|]]; [right; f_equal; ring|right; ring].
   - exact (small_spec x v1 x2 v2 now y p _ _ _ _ Kn E).
@@ -1293,10 +1296,10 @@ Lemma lasts_sound now later y : 0 < Q2R (friction now) -> 0 <= Q2R (since now) -
 Proof.
   intros Hb Hs Y1 YM Ob st t e hints Ht Kn. unfold lasts. destruct hints as [|[| | |bits until least] [|]];
     [intros E Ev; rewrite Ev in E; discriminate| | | | | | |destruct later; [|discriminate]|]; try discriminate.
-  rewrite andb_true_iff. intros (Co & R) _ u Hu. destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
+  rewrite andb_true_iff. intros (Co & R) _ u Hu.
+  destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
   destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ None Hb Hs Y1 YM Ob (bits_of bits) st t Kn Ht _ _ _ _ _ E)
-    as (Ht' & _ & Q & Kn' & _).
-  destruct (Rle_dec u (Q2R until)); [apply Q; lra|].
+    as (Ht' & _ & Q & Kn' & _). destruct (Rle_dec u (Q2R until)); [apply Q; lra|].
   apply (captive_spec x v1 x2 v2 now y _ None Hb YM Ob (bits_of bits) st' (Q2R until)); auto; lra.
 Qed.
 
@@ -1310,13 +1313,14 @@ Proof.
   destruct (fair_now _ _ _ _ Fa) as (Hb & Hs & Y1 & YM). pose proof (runs_now _ _ Ru) as Fo.
   pose proof (fun hi Hh => proj1 (Fo hi Hh)) as Ob.
   destruct hint as [bits least most k'|bits until least which|bits least|]; cbn [goes]; [| | |discriminate].
-  - destruct events as [|ev events]; [discriminate|]. destruct (step _ _ _ _ _ _ _ _ _ _) as [st'|] eqn:E; [|discriminate].
+  - destruct events as [|ev events]; [discriminate|].
+    destruct (step _ _ _ _ _ _ _ _ _ _) as [st'|] eqn:E; [|discriminate].
     destruct (agrees _ _ _) eqn:Ea; [|discriminate]. intros G.
-    destruct (step_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (t' & Ht' & Ev & Q & Kn').
-    apply (agrees_spec _ _ _ _ _ _ _ _ _ Kn' Ea Ht' Q). apply (IH now later (y :: ys) st' a); auto. lra.
+    destruct (step_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (t' & Ht' & Ev & Q &
+      Kn'). apply (agrees_spec _ _ _ _ _ _ _ _ _ Kn' Ea Ht' Q). apply (IH now later (y :: ys) st' a); auto. lra.
   - destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
-    destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Fin & Q & Kn' & _).
-    set (on := fun st a events => match later with
+    destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Fin & Q & Kn' &
+      _). set (on := fun st a events => match later with
       | next :: later' => if Qeq_bool until (since next) then goes next later' ys st a events e hints
           else goes now later (y :: ys) st a events e hints
       | [] => goes now later (y :: ys) st a events e hints end).
@@ -1325,7 +1329,8 @@ Proof.
       unfolds x v1 x2 v2 (Q2R until) events e).
     { intros st1 a1 evs G Kn1 Cl1. unfold on in G.
       assert (Same : goes now later (y :: ys) st1 a1 evs e hints = true -> unfolds x v1 x2 v2 (Q2R until) evs e).
-      { intros G'. apply (IH now later (y :: ys) st1 a1); auto; [lra|]. destruct Cl1 as [->|(b & -> & _ & Cl1)]; simpl; auto. }
+      { intros G'. apply (IH now later (y :: ys) st1 a1); auto; [lra|].
+        destruct Cl1 as [->|(b & -> & _ & Cl1)]; simpl; auto. }
       destruct later as [|next later]; auto. destruct (Qeq_bool until (since next)) eqn:Eq; auto.
       apply Qeq_bool_iff, Qeq_eqR in Eq. cbn [fair_spells] in Fa. rewrite !andb_true_iff in Fa.
       apply (IH next later ys st1 a1); auto; [apply Fa|apply Ru|lra|].
@@ -1352,7 +1357,8 @@ End Whole.
 
 Lemma in_R_pval l u : Q2R (pval rational l u) = pval real (map Q2R l) (Q2R u).
 Proof.
-  induction l as [|c l IH]; [apply RMicromega.Q2R_0|]. cbn [map]. rewrite pval_cons, <- IH, <- Q2R_mult, <- Q2R_plus. auto.
+  induction l as [|c l IH]; [apply RMicromega.Q2R_0|]. cbn [map]. rewrite pval_cons, <- IH, <- Q2R_mult, <- Q2R_plus.
+  auto.
 Qed.
 Lemma on_edge_spec k : on_edge k = true -> A2 * Q2R (x_0 sc) + A1 * Q2R (v1_0 sc)
   - sval real (in_R (push (first_spell sc))) 0 = - (sign k * (Q2R (friction (first_spell sc)) * (M1 + M2) / M2)).
@@ -1360,7 +1366,8 @@ Proof.
   unfold on_edge. set (g := push (first_spell sc)). rewrite andb_true_iff. intros (Ph & E).
   assert (S : sval real (in_R g) 0 =
     Q2R (fold_right (fun z r => in_cosine z + r)%Q (pval rational (poly g) (0 - from g)%Q) (tones g))).
-  { clear E. unfold sval, in_R; cbn [tones poly from]. induction (tones g) as [|z zs IH]; cbn [map fold_right forallb] in *.
+  { clear E. unfold sval, in_R; cbn [tones poly from].
+    induction (tones g) as [|z zs IH]; cbn [map fold_right forallb] in *.
     - rewrite in_R_pval, Q2R_minus, RMicromega.Q2R_0. reflexivity.
     - apply andb_true_iff in Ph. destruct Ph as (P & Ph). apply Qeq_bool_iff, Qeq_eqR in P.
       rewrite Q2R_plus, <- IH by auto. unfold tval; cbn [in_sine in_cosine turn phase add mul sin_of cos_of real].
