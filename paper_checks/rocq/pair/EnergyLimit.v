@@ -176,8 +176,7 @@ Proof.
   set (d := toll l) in *. set (tau := outing l) in *. set (e0 := b * (a2 / m1 * room l) * tau ^ 2 / 8).
   assert (Hd1 : d <= e0 / 2) by apply Rmin_l. assert (Hd2 : d <= room l / (2 * kap)) by apply Rmin_r.
   set (g := room l) in *. set (R0 := sqrt (2 * l / a2)). set (LL := L m1 m2 a2 b) in *.
-  assert (Eg : R0 = LL + 4 * g) by (unfold g, room; fold LL R0; field). assert (R0sq : R0 * R0 = 2 * l / a2).
-  { apply sqrt_sqrt. apply Rlt_le, Rdiv_lt_0_compat; auto. pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. nra. }
+  assert (Eg : R0 = LL + 4 * g) by (unfold g, room; fold LL R0; field).
   set (z := Rmin 1 (2 * g / R0)). assert (Ez : tau = z / om) by reflexivity. assert (Hz1 : z <= 1) by apply Rmin_l.
   assert (Hz2 : z <= 2 * g / R0) by apply Rmin_r. assert (Hz3 : R0 * z <= 2 * g).
   { replace (2 * g) with (R0 * (2 * g / R0)) by (field; lra). apply Rmult_le_compat_l; lra. }
@@ -194,13 +193,10 @@ Proof.
   pose proof (energy_turned m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2 tc) as EAB. cbv beta in EAB. fold (E tc) (w tc) turned in EAB.
   rewrite Wc in EAB. pose proof (fun phi => turned_phase m1 m2 a2 x v1 v2 phi tc : turned phi tc = _) as Phase.
   fold turned in Phase. set (A := turned 0 tc) in *. set (B := turned (- (PI / 2)) tc) in *.
-  set (R := sqrt (A ^ 2 + B ^ 2)). assert (Rsq : R * R = A ^ 2 + B ^ 2).
-  { apply sqrt_sqrt. pose proof (pow2_ge_0 A). pose proof (pow2_ge_0 B). lra. }
-  assert (HR : R0 <= R).
-  { assert (0 <= R) by apply sqrt_pos. assert (R0 * R0 <= R * R); [|nra]. rewrite R0sq.
-    apply Rmult_le_reg_r with a2; auto.
-    unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. destruct (High tc ltac:(lra)). nra. }
-  destruct (polar A B R om tc) as (ts & Hts & Cs & Ss); auto; try lra.
+  set (R := sqrt (A ^ 2 + B ^ 2)).
+  assert (Rsq : A ^ 2 + B ^ 2 = R ^ 2) by (symmetry; apply pow2_sqrt; positive).
+  assert (HR : R0 <= R) by (apply sqrt_le_1_alt; undivide a2; destruct (High tc ltac:(lra)); lra).
+  destruct (polar A B R om tc) as (ts & Hts & Cs & Ss); auto; [lra|].
   assert (Out : forall u, ts <= u < ts + tau -> LL + g <= x u).
   { intros u Hu. pose proof (paid (- (om * u)) tc u ltac:(lra)) as Qu.
     replace (turned (- (om * u)) u) with (x u) in Qu

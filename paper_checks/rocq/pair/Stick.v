@@ -116,9 +116,7 @@ Proof.
   intros H Ht Ev HE u Hu. rewrite <- Ev in HE.
   pose proof (ellipse_solution _ _ HE) as HS. pose proof (solution_later m1 m2 0 a2 b x v1 v2 s t0 Ht H) as Sh.
   apply (unique m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb _ _ _ _ _ _ _ _ 0 Sh HS); try lra.
-  - unfold X. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0. ring.
-  - unfold V. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0. ring.
-  - unfold V. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0, <- Ev. ring.
+  all: unfold X, V; rewrite ?Rplus_0_r, Rmult_0_r, cos_0, sin_0, <- ?Ev; ring.
 Qed.
 
 (** [merging] Once its energy is at most $E_{cr}$, a solution merges with an ellipse within a bounded time. *)

@@ -133,11 +133,10 @@ Proof.
   assert (Lq : forall a' d', is_lim (fun t => a2 / 2 * ((turned 0 t - a') ^ 2 + (turned (- (PI / 2)) t - d') ^ 2)
     + m1 * m2 / (2 * M) * w t ^ 2) p_infty (a2 / 2 * ((a - a') ^ 2 + (d - d') ^ 2))).
   { intros a' d'.
-    assert (S : forall f (g g' : R), is_lim f p_infty g -> is_lim (fun t => (f t - g') ^ 2) p_infty ((g - g') ^ 2)).
-    { intros f g g' Lf. apply is_lim_ext with (fun t => (f t - g') * (f t - g')); [intros; ring|].
-      replace (Finite ((g - g') ^ 2)) with (Rbar_mult (g - g') (g - g')) by (simpl; f_equal; ring).
-      assert (Lm : is_lim (fun t => f t - g') p_infty (g - g')) by (apply is_lim_minus'; [auto|apply is_lim_const]).
-      apply is_lim_mult; auto. simpl. auto. }
+    assert (S : forall f (g g' : R), is_lim f p_infty g ->
+      is_lim (fun t => (f t - g') ^ 2) p_infty ((g - g') ^ 2)).
+    { intros f g g' Lf. apply (is_lim_comp_continuous f (fun y => (y - g') ^ 2)); auto.
+      apply @ex_derive_continuous. auto_derive; auto. }
     replace (Finite (a2 / 2 * ((a - a') ^ 2 + (d - d') ^ 2))) with
       (Finite (a2 / 2 * ((a - a') ^ 2 + (d - d') ^ 2) + m1 * m2 / (2 * M) * (0 - 0) ^ 2)) by (f_equal; ring).
     apply is_lim_plus'; [apply (is_lim_scal_l _ (a2 / 2) p_infty ((a - a') ^ 2 + (d - d') ^ 2)), is_lim_plus'; apply S;

@@ -134,10 +134,8 @@ Proof.
   - intros (p, w). pose proof (Di w). unfold state_ip, flow; simpl.
     rewrite (m_inverse S), (ip_opp _ (dot_inner S)), (ip_plus _ (dot_inner S)).
     pose proof (ip_sym _ (k_form S) w p) as Q. lra.
-  - destruct H as [L Co Ra]. constructor; auto. intros t Ht e He. destruct (Ra t Ht e He) as (d & Hd & Q). exists d;
-    split; auto.
-    intros h Hh. eapply Rle_trans; [|apply (Q h Hh)]. apply (norm_by _ state_inner); [apply norm_pos|]. intros w.
-    eapply Rle_trans; [|apply (cauchy _ state_inner)]. apply Req_le.
+  - destruct H as [L Co Ra]. constructor; auto. intros t Ht e He. destruct (Ra t Ht e He) as (d & Hd & Q).
+    exists d; split; auto. intros h Hh. eapply Rle_trans; [|apply (Q h Hh)]. apply (norm_le _ state_inner). intros w.
     rewrite !(ip_minus _ state_inner). unfold impulse. ring.
   - intros t Ht. apply norm_pos.
   - intros t Ht e He. destruct (Br t Ht e He) as (d & Hd & Q). exists d; split; auto. intros h Hh. rewrite
