@@ -64,14 +64,12 @@ Proof.
   assert (Hd : 0 < e / (2 * K)) by positive. destruct (Lim (c * (e / 2 * (e / (2 * K))) / 2)) as (T & HT & Near).
   { positive. }
   exists T; split; auto. intros t Ht. apply Rnot_lt_le. intros N. set (d := e / (2 * K)) in *.
-  assert (Q : - J (t + d) - - J t <= - (e / 2) * (t + d - t)).
-  { apply (dini_slope (fun u => - J u)); [|lra|].
-    { apply cont_ext with (fun u => -1 * J u); [intros; ring|apply cont_scal; auto]. }
-    intros u Hu. apply rderiv_dini with (-1 * f u).
-    - pose proof (Lf t u ltac:(lra)) as L. apply Rabs_inv in L. assert (K * (u - t) <= K * d) by scale.
-      assert (K * d = e / 2) by (unfold d; field; lra). lra.
-    - apply rderiv_ext with (fun u => -1 * J u); [intros; ring|]. apply rderiv_scal, HJ. lra. }
+  assert (K * d = e / 2) by (unfold d; field; lra).
+  destruct (between J f (e / 2) (f t + K * d) t (t + d) CJ) as (Q & _); [lra| |].
+  { intros u Hu. split; [apply HJ; lra|]. pose proof (Lf t u ltac:(lra)) as L. apply Rabs_inv in L.
+    assert (K * (u - t) <= K * d) by scale. lra. }
   pose proof (Pay t (t + d) ltac:(lra)) as P. pose proof (Near t Ht). pose proof (Lo (t + d) ltac:(lra)).
-  assert (c * (e / 2 * d) <= c * (J (t + d) - J t)) by scale. assert (0 < c * (e / 2 * d)) by positive. lra.
+  assert (c * (e / 2 * d) <= c * (J (t + d) - J t)) by (apply Rmult_le_compat_l; lra).
+  assert (0 < c * (e / 2 * d)) by positive. lra.
 Qed.
 End Paid.

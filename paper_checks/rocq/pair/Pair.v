@@ -194,14 +194,14 @@ Lemma moves_impulse r t k : 0 <= r <= t -> k = 1 \/ k = -1 -> (forall u, r <= u 
   s t - s r = k * (t - r).
 Proof. intros Hr Hk O. apply rderiv_line; auto using moves_cs. intros u Hu. apply (q_slip _ _ _ _ _ _ H); auto; lra.
 Qed.
-(** while spring, damper and force ask at most b of friction in a direction no slip that way begins *)
-Lemma moves_behind r t k : 0 <= r <= t -> k = 1 \/ k = -1 -> k * (v1 r - v2 r) <= 0 -> (forall q, r <= q < t -> exists f,
-  dini_le (fun y => k * U y) q f /\ m2 * (f - k * (a2 * x q + a1 * v1 q)) <= b * (m1 + m2)) -> k * (v1 t - v2 t) <= 0.
+(** while spring, damper and force ask at most b of friction in a slip of one direction, none begins *)
+Lemma moves_behind r t k : 0 <= r <= t -> k = 1 \/ k = -1 -> k * (v1 r - v2 r) <= 0 ->
+  (forall q, r <= q < t -> 0 < k * (v1 q - v2 q) -> exists f, dini_le (fun y => k * U y) q f /\ m2 * (f - k * (a2 * x q + a1 * v1 q)) <= b * (m1 + m2)) -> k * (v1 t - v2 t) <= 0.
 Proof.
   intros Hr Hk W L. apply le_epsilon. intros e He. rewrite Rplus_0_l.
   apply (barrier_until (fun y => k * (v1 y - v2 y)) e r t); [|lra|lra|].
   { apply cont_scal, cont_minus; [apply (q_cv _ _ _ _ _ _ H)|apply moves_cv2]. }
-  intros q Hq Pos. destruct (L q Hq) as (f & Du & Lf). set (o := b * ((m1 + m2) / m2)).
+  intros q Hq Pos. destruct (L q Hq ltac:(lra)) as (f & Du & Lf). set (o := b * ((m1 + m2) / m2)).
   pose proof (dini_plus _ _ _ _ _ Du (rderiv_minus _ _ _ _ _ (rderiv_scal k _ _ _ (q_v1 _ _ _ _ _ _ H q ltac:(lra)))
     (rderiv_scal (o * k) _ _ _ (q_slip _ _ _ _ _ _ H q ltac:(lra) k Hk ltac:(lra))))) as D.
   assert (N : f + (k * - (a2 * x q + a1 * v1 q) - o * k * k) <= 0).

@@ -29,38 +29,6 @@ Let w t := v1 t - v2 t.
 
 Let Mo := proj1 (solution_moves _ _ _ _ _ _ _ _ _) H.
 
-(** the relative acceleration in slip *)
-Lemma slip_rate k t : 0 <= t -> (k = 1 \/ k = -1) -> 0 < k * w t ->
-  rderiv w t (- (a2 * x t + a1 * v1 t) / m1 - k * (b / m1 + b / m2)).
-Proof.
-  intros Ht Hk Hw. eapply rderiv_eq; [|exact (moves_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 k Ht (rderiv_const 0 t)
-    (q_slip _ _ _ _ _ _ _ _ _ _ _ Mo t Ht k Hk Hw))].
-  field; lra.
-Qed.
-
-Lemma gap_rate t : 0 <= t -> captive (E t) -> dini_le (fun u => w u * w u) t 0.
-Proof.
-  intros Ht C. pose proof (captive_load _ _ _ C) as Q. fold M in Q.
-  assert (Sl : forall k, (k = 1 \/ k = -1) -> 0 < k * w t -> dini_le (fun u => w u * w u) t 0).
-  { intros k Hk Hw. pose proof (slip_rate k t Ht Hk Hw) as R.
-    set (w' := - (a2 * x t + a1 * v1 t) / m1 - k * (b / m1 + b / m2)) in *.
-    apply rderiv_dini with (w' * w t + w t * w'); [|apply rderiv_mult; exact R]. cut (w t * w' <= 0); [lra|].
-    assert (W : m1 * w' = - (a2 * x t + a1 * ((m1 * v1 t + m2 * v2 t) / M)) - k * (b * M / m2) - a1 * m2 / M * w t).
-    { unfold w', w, M. field. unfold M in Mp. lra. }
-    assert (0 <= a1 * m2 / M) by positive. assert (m1 * (w t * w') <= 0); [|nra].
-    replace (m1 * (w t * w')) with (w t * (m1 * w')) by ring. rewrite W.
-    assert (0 <= a1 * m2 / M * (w t * w t)) by (apply Rmult_le_pos; [auto|nra]).
-    set (l := a2 * x t + a1 * ((m1 * v1 t + m2 * v2 t) / M)) in *. set (c := b * M / m2) in *.
-    destruct Hk; subst k; nra. }
-  destruct (Rtotal_order (w t) 0) as [Lt|[Eq|Gt]]; [apply (Sl (-1)); auto; lra| |apply (Sl 1); auto; lra].
-  apply rderiv_dini with 0; [lra|].
-  pose proof (moves_gap_big _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 Ht (rderiv_const 0 t)) as B. fold (w t) in B.
-  intros e He. destruct (big_mult _ _ B B e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-  specialize (K h Hh). simpl in K. rewrite Eq in *.
-  replace (w (t + h) * w (t + h) - 0 * 0 - 0 * h) with ((w (t + h) - 0) * (w (t + h) - 0)) by
-    ring. exact K.
-Qed.
-
 Let E_mono r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ H r t). Qed.
 
@@ -73,12 +41,15 @@ Proof. unfold captive. intros. nra. Qed.
 (** [captive-sticks] On $S$ below the captive level the pair sticks permanently. *)
 Theorem captive_sticks t0 : 0 <= t0 -> v1 t0 = v2 t0 -> captive (E t0) -> forall t, t0 <= t -> v1 t = v2 t.
 Proof.
-  intros Ht W C t Hu. assert (CW : cont w). { apply cont_minus;
-    [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
-  assert (Q : w t * w t <= w t0 * w t0).
-  { apply (dini_mono (fun u => w u * w u)); [apply cont_mult; auto|lra|]. intros r Hr. apply gap_rate; [lra|].
-    apply captive_less with (E t0); auto. apply E_mono; lra. }
-  unfold w in Q. rewrite W in Q. nra.
+  intros Ht W C t Hu. cut (Rabs (v1 t - v2 t) <= 0); [intros Q; apply Rabs_inv in Q; lra|]. apply abs_by. intros k Hk.
+  apply (moves_behind m1 m2 a1 a2 b Hm1 Hm2 _ _ _ _ _ _ Mo t0 t k); [lra|auto|rewrite W; lra|]. intros q Hq Slip.
+  exists 0. split; [apply rderiv_dini with (k * 0); [lra|apply rderiv_scal, rderiv_const]|].
+  assert (Cq : captive (E q)) by (apply captive_less with (E t0); auto; apply E_mono; lra).
+  pose proof (captive_load _ _ _ Cq) as Q. fold M. set (V := (m1 * v1 q + m2 * v2 q) / M) in *.
+  assert (Lk : - k * (a2 * x q + a1 * V) <= b * M / m2) by (destruct Hk; subst k; lra).
+  apply (Rmult_le_compat_l m2) in Lk; [|lra]. replace (m2 * (b * M / m2)) with (b * M) in Lk by (field; lra).
+  replace (v1 q) with (V + m2 / M * (v1 q - v2 q)) by (unfold V, M; field; lra).
+  assert (0 <= m2 * (a1 * (m2 / M) * (k * (v1 q - v2 q)))) by positive. lra.
 Qed.
 
 (** [captive-merges] Once its energy is below the captive level, a solution sticks permanently after a bounded time.

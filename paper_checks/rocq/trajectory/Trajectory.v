@@ -126,16 +126,16 @@ Proof.
   exists (late z), (late u1), (fun t => integral (late u2) t - integral (late u2) (S + r)), (late u2).
   split; [|split; [|split; [|split]]].
   - rewrite <- (Rplus_0_r (S + r)), !L by lra. repeat split; auto; lra.
-  - replace (S + d) with (S + r + (d - r)) by ring. eapply forced_obeys; eauto; [lra| |].
-    + intros t Hu. replace (S + r + t) with (S + (r + t)) by ring. apply rderiv_earlier, DU. lra.
-    + intros t Hu. rewrite !L by lra. auto.
+  - replace (S + d) with (S + r + (d - r)) by ring. eapply forced_obeys; eauto; [lra| |]; intros t Hu.
+    + rewrite Rplus_assoc. apply rderiv_earlier, DU. lra.
+    + rewrite !L by lra. auto.
   - apply cont_minus; [apply integral_cont, C|apply cont_const].
   - intros t Hu. apply rderiv_eq with (late u2 t - 0); [ring|].
     apply rderiv_minus; [apply integral_rderiv; auto|apply rderiv_const].
-  - intros t Hu. assert (T : exists u, t = S + r + u /\ 0 <= u <= d - r) by (exists (t - (S + r)); lra).
-    destruct T as (u & -> & Hu').
+  - intros t Hu. replace t with (S + r + (t - (S + r))) by ring. set (u := t - (S + r)).
+    assert (Hu' : 0 <= u <= d - r) by (unfold u; lra).
     pose proof (forced_contraction M1 M2 A1 A2 B Hm1 Hm2 Ha1 HB _ _ _ _ _ _ _ _ _ 0 u Sh G ltac:(lra)) as Q.
-    cbv beta in Q. rewrite Rplus_0_r in Q. rewrite !L by lra. replace (S + r + u) with (S + (r + u)) by ring.
+    cbv beta in Q. rewrite Rplus_0_r in Q. rewrite !L, Rplus_assoc by lra.
     destruct (E r Hr) as (-> & -> & ->), (E (r + u) ltac:(lra)) as (-> & -> & ->). rewrite <- Z0, <- U10, <- U20.
     exact Q.
 Qed.
@@ -459,7 +459,7 @@ Lemma has_swing G g D d C c Y y T t X x V v : has G g -> has D d -> has C c -> h
 Proof.
   intros HG HD HC HY HT HX HV. pose proof (has_sval Y y T t HY HT).
   pose proof (has_sval _ _ T t (has_dsteady Y y HY) HT).
-  unfold swing. constructor; cbn [still drift even odd decay square clock answer]; auto; has; auto.
+  constructor; cbn [swing still drift even odd decay square clock answer]; has; auto.
 Qed.
 Lemma has_sloped F f : has_parts F f -> has_parts (sloped boxes F) (slope f).
 Proof.
@@ -479,27 +479,20 @@ Lemma has_guard s T t X x V v W w : has T t -> has X x -> has V v -> has W w ->
   has_parts (guard boxes K s T X V W) (guard real k s t x v w).
 Proof.
   intros HT HX HV HW. destruct (has_sloped _ _ (has_slide s T t X x V v HT HX HV)). destruct HK. unfold guard, guard_of.
-  constructor; cbn [still drift even odd decay square clock answer]; auto using has_signed; try (has; fail).
-  - apply J.neg_correct, has_signed; auto.
-  - apply has_scaled; auto using has_signed.
+  constructor; cbn [still drift even odd decay square clock answer]; auto using has_signed, has_scaled;
+    first [has; fail | apply J.neg_correct, has_signed; auto].
 Qed.
 Lemma has_grip s T t X x V v : has T t -> has X x -> has V v ->
   has_parts (grip boxes K s T X V) (grip real k s t x v).
 Proof.
   intros HT HX HV. destruct (has_sloped _ _ (has_sloped _ _ (has_stuck T t X x V v HT HX HV))). destruct HK.
-  unfold grip, grip_of. constructor; cbn [still drift even odd decay square clock answer]; auto; try (has; fail);
-    try (apply J.neg_correct, has_signed; auto).
-  apply has_scaled; auto. intros. apply J.neg_correct, has_signed; auto.
+  unfold grip, grip_of. constructor; cbn [still drift even odd decay square clock answer]; auto;
+    first [has; fail | apply has_scaled; auto; intros | idtac]; apply J.neg_correct, has_signed; auto.
 Qed.
 Lemma has_edge s T t V v : has T t -> has V v -> has (edge boxes K s T V) (edge real k s t v).
-Proof.
-  intros HT HV. destruct HK. unfold edge. pose proof (has_sval _ _ T t (h_force _ _ HK) HT).
-  assert (has (signed boxes s (div boxes (mul boxes (kb K) (kM K)) (k2 K))) (signed real s (kb k * kM k / k2 k))).
-  { apply has_signed. has. }
-  has.
-Qed.
+Proof. intros HT HV. destruct HK. unfold edge. has; [apply has_sval|apply has_signed; has]; auto. Qed.
 Lemma has_spare T t X x V v : has T t -> has X x -> has V v -> has (spare boxes K T X V) (spare real k t x v).
-Proof. intros HT HX HV. destruct HK. unfold spare. pose proof (has_sval _ _ T t h_force0 HT). has. Qed.
+Proof. intros HT HX HV. destruct HK. unfold spare. has; apply has_sval; auto. Qed.
 End Kit.
 End Precision.
 Ltac has := cbn [add sub mul div neg zero sin_of cos_of real boxes]; repeat first [assumption | apply has_rat
