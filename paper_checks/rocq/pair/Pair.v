@@ -196,7 +196,8 @@ Proof. intros Hr Hk O. apply rderiv_line; auto using moves_cs. intros u Hu. appl
 Qed.
 (** while spring, damper and force ask at most b of friction in a slip of one direction, none begins *)
 Lemma moves_behind r t k : 0 <= r <= t -> k = 1 \/ k = -1 -> k * (v1 r - v2 r) <= 0 ->
-  (forall q, r <= q < t -> 0 < k * (v1 q - v2 q) -> exists f, dini_le (fun y => k * U y) q f /\ m2 * (f - k * (a2 * x q + a1 * v1 q)) <= b * (m1 + m2)) -> k * (v1 t - v2 t) <= 0.
+  (forall q, r <= q < t -> 0 < k * (v1 q - v2 q) -> exists f, dini_le (fun y => k * U y) q f /\
+    m2 * (f - k * (a2 * x q + a1 * v1 q)) <= b * (m1 + m2)) -> k * (v1 t - v2 t) <= 0.
 Proof.
   intros Hr Hk W L. apply le_epsilon. intros e He. rewrite Rplus_0_l.
   apply (barrier_until (fun y => k * (v1 y - v2 y)) e r t); [|lra|lra|].

@@ -38,8 +38,7 @@ Proof.
   { intros th. rewrite <- (norm_sq ip In). pose proof (norm_pos ip (ellipse th)). split; intros; nra. }
   unfold semi_major_square. fold A B C R0. split; intros K.
   - destruct (Req_dec R0 0) as [Z|N].
-    + specialize (K 0). apply Sq in K. rewrite ellipse_square, Rmult_0_r, cos_0, sin_0 in K. assert (A - B = 0); [|lra].
-      apply Rsqr_0_uniq. unfold Rsqr. pose proof (pow2_ge_0 (A - B)). pose proof (pow2_ge_0 C). rewrite Z in R0_sq. lra.
+    + specialize (K 0). apply Sq in K. rewrite ellipse_square, Rmult_0_r, cos_0, sin_0 in K. nra.
     + destruct (polar (A - B) (2 * C) R0 2 0) as (th & _ & Ec & Es); [lra|lra|replace (R0 ^ 2) with (R0 * R0) by ring;
         rewrite R0_sq; ring|]. specialize (K th). apply Sq in K. rewrite ellipse_square in K. nra.
   - intros th. apply Sq. rewrite ellipse_square. pose proof (sin2_cos2 (2 * th)) as SC. unfold Rsqr in SC.
@@ -66,7 +65,8 @@ End Ellipse.
 (** Every stuck motion is such an ellipse: body 1 carries both masses on its spring, component by component. The force on
     body 2 is m2 times its acceleration, and within b exactly while the place is within L; with p in units of the frequency
     the energy is a2 (|q|^2 + |p|^2) / 2, and E_cr that of the place L. *)
-Lemma oscillator om (x v : R -> R) : 0 < om -> (forall t, is_derive x t (v t)) -> (forall t, is_derive v t (- (om * om) * x t)) ->
+Lemma oscillator om (x v : R -> R) : 0 < om -> (forall t, is_derive x t (v t)) ->
+  (forall t, is_derive v t (- (om * om) * x t)) ->
   forall t, x t = x 0 * cos (om * t) + v 0 / om * sin (om * t) /\ x t ^ 2 + (v t / om) ^ 2 = x 0 ^ 2 + (v 0 / om) ^ 2.
 Proof.
   intros Ho X V t. set (c := fun t => x t * cos (om * t) - v t / om * sin (om * t)).

@@ -5,22 +5,17 @@ From Coq Require Import QArith Qreals List.
 From InertialPair Require Import Dini Pair Pursuit Forced Waves Trajectory Velocities.
 Import ListNotations.
 
-(** slips at the head of a table: until they end the only contacts are those at their ends *)
+(** slips at the head of a table: until they end, at te, the only contacts are those at their ends *)
 Lemma slips_first x v1 x2 v2 e later : forall slips t, (forall m, In m slips -> mode_until m <> Stick) ->
-  unfolds x v1 x2 v2 t (slips ++ later) e -> exists times,
-  Forall2 (fun m r => within (time m) r) slips times /\ (forall r, In r times -> t < r <= List.last times t) /\
-  (forall u, t < u <= List.last times t -> (v1 u = v2 u <-> In u times)) /\ NoDup times /\
-    unfolds x v1 x2 v2 (List.last times t) later e.
+  unfolds x v1 x2 v2 t (slips ++ later) e -> exists times te, t <= te /\
+  Forall2 (fun m r => within (time m) r) slips times /\ (forall r, In r times -> t < r <= te) /\
+  (forall u, t < u <= te -> (v1 u = v2 u <-> In u times)) /\ NoDup times /\ unfolds x v1 x2 v2 te later e.
 Proof.
-  assert (Ll : forall r s (l : list R), List.last (r :: l) s = List.last l r).
-  { intros r s l. revert r s. induction l as [|y l IH]; intros r s; auto.
-    change (List.last (y :: l) s = List.last (y :: l) r). rewrite !IH. auto. }
   induction slips as [|now slips IH]; intros t S U.
-  - exists []. split; [auto|]. split; [intros r []|]. split; [simpl; intros u Hu; lra|auto using NoDup_nil].
+  - exists [], t. split; [lra|]. split; [auto|]. split; [intros r []|]. split; [intros u Hu; lra|auto using NoDup_nil].
   - destruct U as (t1 & Ht1 & W & _ & _ & _ & Ev & Md & U).
-    destruct (IH t1 (fun m Hm => S m (or_intror Hm)) U) as (times & Ws & In1 & Co & Nd & U'). exists (t1 :: times).
-    rewrite Ll. split; [constructor; auto|]. assert (Le : t1 <= List.last times t1).
-    { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
+    destruct (IH t1 (fun m Hm => S m (or_intror Hm)) U) as (times & te & Le & Ws & In1 & Co & Nd & U').
+    exists (t1 :: times), te. split; [lra|]. split; [constructor; auto|].
     split; [|split; [|split; [constructor; auto; intros Q; destruct (In1 _ Q); lra|auto]]].
     + intros r [<-|Hr]; [lra|]. destruct (In1 r Hr); lra.
     + intros u Hu. destruct (Rlt_dec t1 u).
@@ -66,12 +61,11 @@ Lemma entry x v1 x2 v2 slips now later e : unfolds x v1 x2 v2 0 (slips ++ now ::
       unfolds x v1 x2 v2 ta later e.
 Proof.
   intros U N S. apply slips_first in U; [|intros m Hm; apply S, in_or_app; auto].
-  destruct U as (times & Ws & In1 & Co & Nd & U). assert (P : 0 <= List.last times 0).
-  { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
-  destruct U as (ta & Ha & Wa & Xa & _ & Va & Ea & Ma & U). exists ta, times. split; [lra|]. do 4 (split; [auto|]).
-  split; [clear - Ws; induction Ws; simpl; auto|]. split; [exact Nd|]. split; [|auto]. intros u. split.
+  destruct U as (times & te & P & Ws & In1 & Co & Nd & U). destruct U as (ta & Ha & Wa & Xa & _ & Va & Ea & Ma & U).
+  exists ta, times. split; [lra|]. do 4 (split; [auto|]). split; [clear - Ws; induction Ws; simpl; auto|].
+  split; [exact Nd|]. split; [|auto]. intros u. split.
   - intros Q. destruct (In1 _ Q). split; [lra|]. apply Co; auto; lra.
-  - intros (Hu & Q). destruct (Rle_dec u (List.last times 0)).
+  - intros (Hu & Q). destruct (Rle_dec u te).
     + apply Co; auto. split; [|lra]. destruct (Req_dec u 0) as [->|]; [contradiction|lra].
     + specialize (Ma u ltac:(lra)). assert (M : mode_until now <> Stick) by (apply S, in_or_app; simpl; auto).
       destruct (mode_until now) as [[|]|]; simpl in Ma; [lra|lra|congruence].

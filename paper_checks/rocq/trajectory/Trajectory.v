@@ -154,7 +154,8 @@ Fixpoint in_order now later : Prop := 0 < Q2R (friction now) /\ 0 <= Q2R (since 
 (** U, x', v1' and v2' run from the time at which the first spell begins *)
 Lemma varying_runs x v1 v2 later : forall now U x' v1' v2', in_order now later ->
   (forall t, 0 <= t -> rderiv U t (force_at now later (Q2R (since now) + t))) ->
-  (forall t, 0 <= t -> x (Q2R (since now) + t) = x' t /\ v1 (Q2R (since now) + t) = v1' t /\ v2 (Q2R (since now) + t) = v2' t) ->
+  (forall t, 0 <= t ->
+    x (Q2R (since now) + t) = x' t /\ v1 (Q2R (since now) + t) = v1' t /\ v2 (Q2R (since now) + t) = v2' t) ->
   varying M1 M2 A1 A2 (pieces now later) (last_friction now later) U x' v1' v2' -> runs x v1 v2 now later.
 Proof.
   induction later as [|next later IH]; intros now U x' v1' v2' O DU E V.
@@ -351,30 +352,26 @@ Lemma has_rat q : has (rat q) (Q2R q).
 Proof. apply J.div_correct; apply I.fromZ_correct. Qed.
 Lemma has_hull q r u : Q2R q <= u <= Q2R r -> has (hull q r) u.
 Proof. intros Hu. exact (J.join_correct _ _ _ _ _ (has_rat q) (has_rat r) Hu). Qed.
-Lemma has_by_slope f (g : R -> R) i r : (forall i r, has i r -> has (f i) (g r)) ->
-  (forall a b, Rabs (g b - g a) <= 1 * Rabs (b - a)) -> has i r -> has (by_slope f i) (g r).
+Lemma has_by_slope f (g g' : R -> R) i r : (forall i r, has i r -> has (f i) (g r)) ->
+  (forall x, is_derive g x (g' x) /\ -1 <= g' x <= 1) -> has i r -> has (by_slope f i) (g r).
 Proof.
-  intros F L Hi. unfold by_slope. destruct (pos _); auto. destruct (pos _); auto.
+  intros F D Hi. unfold by_slope. destruct (pos _); auto. destruct (pos _); auto.
   pose proof (I.singleton_correct (I.midpoint i)) as Hc. set (c := proj_val _) in Hc.
-  assert (E : exists k, -1 <= k <= 1 /\ g r = g c + (r - c) * k).
-  { destruct (Req_dec r c) as [->|N]; [exists 0; lra|]. exists ((g r - g c) / (r - c)). split; [|field; lra].
-    apply Rabs_inv. rewrite Rabs_div by lra. apply Rmult_le_reg_r with (Rabs (r - c)); [apply Rabs_pos_lt; lra|].
-    unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by (apply Rabs_no_R0; lra). apply L. }
-  destruct E as (k & Hk & ->).
+  destruct (MVT_gen g c r g') as (z & _ & E); [intros; apply D| |].
+  { intros. apply derivable_continuous_pt. eexists. apply is_derive_Reals, D. }
+  replace (g r) with (g c + (r - c) * g' z) by lra.
   refine (J.add_correct p _ _ _ _ (F _ _ Hc) (J.mul_correct p _ _ _ _ (J.sub_correct p _ _ _ _ Hi Hc) _)).
-  apply has_hull. lra.
+  apply has_hull. pose proof (proj2 (D z)). lra.
 Qed.
 Lemma has_sin_by i r : has i r -> has (sin_by i) (sin r).
 Proof.
-  apply has_by_slope; [apply J.sin_correct|]. intros a b.
-  destruct (MVT_abs sin cos a b (fun c _ => derivable_pt_lim_sin c)) as (c & -> & _).
-  apply Rmult_le_compat_r; [apply Rabs_pos|]. apply Rabs_le, COS_bound.
+  apply (has_by_slope _ _ cos); [apply J.sin_correct|]. intros x.
+  split; [apply is_derive_Reals, derivable_pt_lim_sin|apply COS_bound].
 Qed.
 Lemma has_cos_by i r : has i r -> has (cos_by i) (cos r).
 Proof.
-  apply has_by_slope; [apply J.cos_correct|]. intros a b.
-  destruct (MVT_abs cos (fun c => - sin c) a b (fun c _ => derivable_pt_lim_cos c)) as (c & -> & _).
-  apply Rmult_le_compat_r; [apply Rabs_pos|]. rewrite Rabs_Ropp. apply Rabs_le, SIN_bound.
+  apply (has_by_slope _ _ (fun x => - sin x)); [apply J.cos_correct|]. intros x.
+  split; [apply is_derive_Reals, derivable_pt_lim_cos|pose proof (SIN_bound x); lra].
 Qed.
 
 (** what a swing is made of at a time; beyond the critical damping two exponentials, which are bounded one by one *)
@@ -699,13 +696,13 @@ Definition near F known least most d := I.add p known (I.mul p (value q (steep q
 Lemma has_near F f known least most i u : has_wave F f -> has known (val f (Q2R most)) -> Q2R least <= u <= Q2R most ->
   has i (u - Q2R most) -> has (near F known least most i) (val f u).
 Proof.
-  intros W Hk Hu Hi. assert (E : exists c, Q2R least <= c <= Q2R most /\
-    val f u = val f (Q2R most) + val (slope f) c * (u - Q2R most)).
-  { destruct (Req_dec u (Q2R most)) as [->|]; [exists (Q2R most); split; [lra|ring]|].
-    destruct (val_mean f u (Q2R most) ltac:(lra)) as (c & Hc & E). exists c. lra. }
-  destruct E as (c & Hc & ->). unfold near. assert (has (value q (steep q F) (hull p least most)) (val (slope f) c)).
-  { apply has_value; [apply has_steep; auto|apply has_hull; auto]. }
-  has.
+  intros W Hk Hu Hi. destruct (MVT_gen (val f) (Q2R most) u (val (slope f))) as (c & Hc & E).
+  { intros. apply derive_val. }
+  { intros. apply derivable_continuous_pt. eexists. apply is_derive_Reals, derive_val. }
+  rewrite Rmin_right, Rmax_left in Hc by lra.
+  replace (val f u) with (val f (Q2R most) + val (slope f) c * (u - Q2R most)) by lra. unfold near.
+  assert (has (value q (steep q F) (hull p least most)) (val (slope f) c)) by (apply has_value;
+    [apply has_steep; auto|apply has_hull; lra]). has.
 Qed.
 
 (** inside the bounds *)
@@ -1367,7 +1364,7 @@ Proof.
       rewrite P, RMicromega.Q2R_0, !Rmult_0_r, !Rplus_0_r, sin_0, cos_0. ring. }
   rewrite S. apply Qeq_bool_iff, Qeq_eqR in E. unfold both in E.
   rewrite Q2R_mult, Q2R_minus, Q2R_plus, !Q2R_mult, Q2R_plus in E.
-  replace (Q2R (if k then -1 else 1)) with (- sign k) in E by (destruct k; unfold Q2R; simpl; lra).
+  replace (Q2R (if k then -1 else 1)) with (- sign k) in E by (destruct k; simpl; lra).
   apply Rmult_eq_reg_l with M2; [|lra]. unfold A1, A2, M1, M2 in *. rewrite E. field; lra.
 Qed.
 End Table.
