@@ -50,7 +50,11 @@ Proof.
   rewrite (ip_minus _ (dotw_inner S)). ring.
 Qed.
 Lemma b_minus f v w : dotw f (B (minus v w)) = dotw f (minus (B v) (B w)).
-Proof. rewrite <- (b_transposed S), (ip_minus_r _ (dot_inner S)), !(b_transposed S). symmetry. apply ip_minus_r, S. Qed.
+Proof.
+  rewrite <- (b_transposed S), (ip_sym _ (dot_inner S)), (ip_minus _ (dot_inner S)), !(ip_sym _ (dot_inner S) _ (Bt f)),
+    !(b_transposed S), (ip_sym _ (dotw_inner S) f (minus _ _)), (ip_minus _ (dotw_inner S)), !(ip_sym _ (dotw_inner S) _
+      f). ring.
+Qed.
 
 (** springs are neutral *)
 Lemma flow_rate c : 0 <= c -> dampers c ->

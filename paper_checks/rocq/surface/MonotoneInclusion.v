@@ -51,8 +51,6 @@ Lemma ip_opp y z : ip (opp y) z = - ip y z.
 Proof. rewrite <- (scal_opp_one y). rewrite (ip_scal _ In). unfold opp, one; simpl. ring. Qed.
 Lemma ip_minus y z w : ip (minus y z) w = ip y w - ip z w.
 Proof. unfold minus. rewrite (ip_plus _ In), ip_opp. ring. Qed.
-Lemma ip_minus_r y z w : ip y (minus z w) = ip y z - ip y w.
-Proof. rewrite !(ip_sym _ In y). apply ip_minus. Qed.
 Lemma ip_zero y : ip zero y = 0.
 Proof. pose proof (ip_plus _ In zero zero y) as Q. rewrite plus_zero_l in Q. lra. Qed.
 Ltac lin := repeat first [rewrite ip_minus | rewrite (ip_plus _ In) | rewrite (ip_scal _ In) | rewrite ip_zero].
@@ -122,7 +120,7 @@ Proof.
     eapply Rle_trans; [|apply Rle_abs]. fold (er h). lra. }
   eapply little_ext; [|exact (little_plus _ _ E1 (little_scal (/ 2) _ (big_mult _ _ B B)))]. intros h. cbv beta.
   rewrite norm_sq. assert (Q : ip (y (t + h)) (y (t + h)) = ip (y t) (y t) + 2 * ip (dy h) (y t) + ip (dy h) (dy h)).
-  { unfold dy. rewrite !ip_minus_r, !ip_minus, (ip_sym _ In (y (t + h)) (y t)). ring. }
+  { unfold dy. rewrite !ip_minus, !(ip_sym _ In _ (minus _ _)), !ip_minus, (ip_sym _ In (y (t + h)) (y t)). ring. }
   rewrite Q, (Ey h (y t)). field.
 Qed.
 
@@ -164,7 +162,10 @@ Lemma drags_monotone t : 0 <= t -> forall e, 0 < e -> exists d, 0 < d /\ forall 
 Proof.
   intros Ht e He. destruct (proj2 H t Ht (y' t) (e / 2)) as (d1 & H1 & K1); [lra|].
   destruct (proj2 H' t Ht (y t) (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh.
-  specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). rewrite !ip_minus_r, !ip_minus in K1, K2 |- *. lra.
+  specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
+  rewrite ip_minus, (ip_sym _ In _ (minus _ _)), (ip_sym _ In (P t) _), !ip_minus in K1.
+  rewrite ip_minus, (ip_sym _ In _ (minus _ _)), (ip_sym _ In (P' t) _), !ip_minus in K2.
+  rewrite !ip_minus, !(ip_sym _ In _ (minus _ _)), !ip_minus. lra.
 Qed.
 
 (** the rate of the distance *)
