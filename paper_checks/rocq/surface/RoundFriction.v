@@ -132,12 +132,16 @@ Theorem landing_rate k b (x y p q : R -> R) l l' t : 0 < x t ^ 2 + y t ^ 2 ->
     (- k * (b ^ 2 - (p t ^ 2 + q t ^ 2)) + (l * x t + l' * y t)).
 Proof.
   intros Hp X Y P Q. pose proof (sqrt_lt_R0 _ Hp) as Sp. pose proof (sqrt_sqrt _ (Rlt_le _ _ Hp)) as Sq.
-  pose proof (is_derive_unique _ _ _ X) as Dx. pose proof (is_derive_unique _ _ _ Y) as Dy.
-  pose proof (is_derive_unique _ _ _ P) as Dp. pose proof (is_derive_unique _ _ _ Q) as Dq.
-  auto_derive; [repeat split; try (eexists; eassumption); simpl in *; lra|]. change (fun u => ?f u) with f.
-  rewrite Dx, Dy, Dp, Dq. change (sqrt (x t * (x t * 1) + y t * (y t * 1))) with (sqrt (x t ^ 2 + y t ^ 2)).
-  set (r := sqrt (x t ^ 2 + y t ^ 2)) in *. apply Rminus_diag_uniq, Rmult_eq_reg_l with (r * r); [|nra].
-  rewrite Rmult_0_r.
+  set (r := sqrt (x t ^ 2 + y t ^ 2)) in *. evar_last.
+  { apply (is_derive_plus (fun t => b * sqrt (x t ^ 2 + y t ^ 2)) (fun t => p t * x t + q t * y t)).
+    - apply is_derive_scal, (is_derive_comp sqrt (fun t => x t ^ 2 + y t ^ 2)); [apply is_derive_Reals,
+      derivable_pt_lim_sqrt, Hp|].
+      apply (is_derive_plus (fun t => x t ^ 2) (fun t => y t ^ 2)); apply (is_derive_pow _ 2); eassumption.
+    - apply (is_derive_plus (fun t => p t * x t) (fun t => q t * y t)); apply @is_derive_mult; try eassumption; intros;
+      apply Rmult_comm. }
+  unfold plus, mult, scal; simpl; unfold mult; simpl. change (sqrt (x t * (x t * 1) + y t * (y t * 1))) with r. apply
+    Rminus_diag_uniq.
+  apply Rmult_eq_reg_l with (r * r); [|nra]. rewrite Rmult_0_r.
   match goal with |- ?a = 0 => replace a with (k * b ^ 2 * (r * r - (x t ^ 2 + y t ^ 2))) by (field; lra) end.
   rewrite Sq. ring.
 Qed.
