@@ -61,18 +61,10 @@ def test_a_fine_setting_has_the_events_and_the_digits(name, scene):
     assert found.digits >= digits
 
 
-@pytest.mark.parametrize(
-    ("law", "x1", "v"),
-    [
-        (Law.FILIPPOV, "0.0039", (-0.28, -0.25)),
-        (Law.FILIPPOV, "-0.0039", (0.28, 0.25)),
-        (Law.FILIPPOV, "0.0036", (-0.24, -0.24)),
-        (Law.THREE_VALUED_SGN, "0.0039", (-0.26, -0.26)),
-    ],
-)
-def test_forward_euler_slips_from_rest_beyond_the_edge_unless_sgn_0_is_0(law, x1, v):
+@pytest.mark.parametrize(("law", "v"), [(Law.FILIPPOV, (-0.28, -0.25)), (Law.THREE_VALUED_SGN, (-0.26, -0.26))])
+def test_forward_euler_slips_from_rest_beyond_the_edge_unless_sgn_0_is_0(law, v):
     """The edge is L = 0.00375 m."""
-    assert forward_euler(Scene(FREE, State(x1), 2, law), 1).y[[1, 3], 1] == pytest.approx(v)
+    assert forward_euler(Scene(FREE, State("0.0039"), 2, law), 1).y[[1, 3], 1] == pytest.approx(v)
 
 
 TOUCH, NEAR = (load_scene(FOLDER / f"{name}.toml") for name in ("forced-touch", "near-critical-1e-12"))
