@@ -217,6 +217,8 @@ def test_a_row_is_as_strong_as_its_weakest_clause_and_one_whose_steps_are_not_na
     assert of(conclude(HOLDS, "So it is.", EXACT)).established_by is EvidenceKind.ARGUMENT
     finding = conclude(HOLDS, "r", carried("one", SMT), carried("two", BALL))
     assert of(finding, clause("one", "A,"), clause("two", "B.")).established_by is EvidenceKind.ENCLOSURE
+    bound, finding = clause("one", "«e».", e=formula("m1", lambda _: BALL)), conclude(HOLDS, "r", carried("one", SMT))
+    assert of(finding, bound).established_by is EvidenceKind.ENCLOSURE
 
 
 def formula(letter, decide=None):
