@@ -48,10 +48,11 @@ def test_without_bounds_it_says_what_numbers_are_off_by():
     assert 0 < max(one.error for one in found.off) < 1e-18
 
 
-@pytest.mark.parametrize(("name", "column"), [("t", "local"), *zip(STATE, STATE, strict=True)])
-def test_a_falsified_number_is_named_with_its_event(name, column):
+@pytest.mark.parametrize("place", range(5))
+def test_a_falsified_number_is_named_with_its_event(place):
     """A row's state is that of its event; 1.5 times its bound is beyond it."""
-    row, by = int(RUN.event_rows[6]), 1.5 * bounds_at(RUN, 6)[("t", *STATE).index(name)]
+    row, by, column = int(RUN.event_rows[6]), 1.5 * bounds_at(RUN, 6)[place], ("local", *STATE)[place]
+    name = column.replace("local", "t")
     found = falsified(row, **{column: RUN.record.rows[row, AT[column]] + by}).check()
     worst = next(one for one in found.off if one.quantity == name)
     assert not found.right
