@@ -54,5 +54,5 @@ def test_what_begins_at_a_tie_of_high_order_may_end_soon():
 
 
 def test_a_slip_that_ends_exactly_where_the_force_jumps_ends_by_itself():
-    scenes = (forced_scene(f"jump-at-contact-{how}") for how in ("reverses", "sticks"))
-    assert {solve(scene).events[0].cause for scene in scenes} == {"guard"}
+    for how in ("reverses", "sticks"):
+        assert solve(forced_scene(f"jump-at-contact-{how}")).events[0].cause == "guard"

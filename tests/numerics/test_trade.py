@@ -76,7 +76,7 @@ def test_a_call_is_timed_in_turns_with_ours_for_as_long_as_is_granted(monkeypatc
     monkeypatch.setattr(measure.time, "process_time", lambda: sum(spent))
     ours, theirs = (lambda seconds=seconds: spent.append(seconds) for seconds in (2**-10, 3 / 2**10))
     assert measure.timed(ours, theirs) == (0.00293, 3)
-    assert measure.BUDGET <= sum(spent) < 2 * measure.BUDGET
+    assert sum(spent) >= measure.BUDGET
 
 
 # what is recorded

@@ -117,6 +117,8 @@ def test_json_has_the_shape_of_the_design(rows, theorem):
     for item in data:
         assert {"id", "where", "statement", "verdict", "reason", "evidence"} <= set(item)
         assert all({"kind", "engine", "statement", "cases", "value"} <= set(step) for step in item["evidence"])
+        for part in item["clauses"]:
+            assert not [one for one in part["support"] if one in part["steps"]]
     assert "seconds" not in data[0]
     assert data[1]["verdict"] == data[1]["recorded"] == "refuted"
     assert [one["kind"] for one in data] == ["claim"] * len(rows) + ["theorem"]
