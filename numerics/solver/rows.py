@@ -25,10 +25,8 @@ from numerics.trajectory.events import taken_in
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.trajectory import Trajectory
 
-_CHUNK = 4096
-"""Scenes in a chunk at most: their rows fit into a core's cache."""
-_TOO_FEW = 256
-"""Scenes that one thread solves before another has started."""
+_CHUNK = 128
+"""Scenes in a chunk: what it takes to begin one does not show beside them, and an interruption waits for its end."""
 _TAKEN = AT["friction"]
 _FLOAT64 = Float64()
 
@@ -103,13 +101,9 @@ def _without_ledger(ends: Floats) -> Counts:
 
 
 def in_chunks(task: Callable[[slice], int], count: int, jobs: int | None) -> Iterator[int]:
-    """Yield what a task says of each chunk of rows, in order; compiled code runs in threads, Python in turn.
-
-    There are four chunks for every core, so that all end at about the same time.
-    """
+    """Yield what a task says of each chunk of rows, in order; compiled code runs in threads, Python in turn."""
     cores = (jobs or available_cores()) if can_compile() else 1
-    size = max(_TOO_FEW, min(_CHUNK, -(-count // (4 * cores))))
-    parts = [slice(start, start + size) for start in range(0, count, size)]
+    parts = [slice(start, start + _CHUNK) for start in range(0, count, _CHUNK)]
     if cores == 1 or len(parts) <= 1 or is_held():
         yield from map(task, parts)
         return

@@ -142,7 +142,6 @@ def test_rows_under_a_force_are_what_their_scenes_give_by_themselves_in_any_orde
 
 def test_many_chunks_threads_and_progress(monkeypatch):
     monkeypatch.setattr(batch, "_CHUNK", 7)
-    monkeypatch.setattr(batch, "_TOO_FEW", 1)
     given, told = PAPER | {"v1": np.linspace(0.02, 0.3, 50), "keep_events": 3}, []
     one = solve_many(**given, jobs=1)
     two = solve_many(**given, jobs=2, progress=lambda done, whole: told.append((done, whole)))
@@ -153,6 +152,13 @@ def test_many_chunks_threads_and_progress(monkeypatch):
     assert [done for done, _ in told] == sorted({done for done, _ in told})
 
 
+def test_a_long_batch_can_be_interrupted_between_short_chunks():
+    """An interruption waited for 4096 rows, of long scenes for more than a minute."""
+    told = []
+    solve_many(**PAPER | {"v1": np.linspace(0.02, 0.3, 500)}, progress=lambda done, whole: told.append(done))
+    assert told == [128, 256, 384, 500]
+
+
 ROWS = PAPER | {"m2": [1] * 9 + [1e-300, 1], "b": [0.5] * 10 + [1e-300], "x2": 3, "keep_events": 5}
 ROWS |= {"v1": [0.1 + k / 40 for k in range(10)] + [1e100]}
 """The last two leave the range of floats."""
@@ -160,7 +166,7 @@ SINES = [([0] * 5 + [0.375] * 6, 5, 0.25)]
 """Some are of the free pair: their ledgers are formed when they are looked at."""
 WAYS = {
     "two threads, the first to compile": (
-        "import numba; before = numba.config.CACHE_DIR; rows._CHUNK, rows._TOO_FEW = 2, 1",
+        "import numba; before = numba.config.CACHE_DIR; rows._CHUNK = 2",
         "assert numba.config.CACHE_DIR == before",  # it is left as it was
         {},
     ),
