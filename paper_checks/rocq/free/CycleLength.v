@@ -6,10 +6,6 @@ From InertialPair Require Import Dini Excursion ReturnMap AlternatingAngles Rate
 Definition delay r p := let s := (depth p / hh p) ^ 2 in let q := 1 - r in
   sqrt q * (2 * p) - atan (sqrt q * (hh p * sqrt (1 - r * s))) - atan (sqrt q * (2 * p - hh p) / (1 - q * depth p)).
 
-(** pi, from seven terms of Leibniz's series *)
-Lemma pi_below : PI <= 10 / 3.
-Proof. pose proof (proj2 (PI_ineq 3)) as Q. unfold tg_alt, PI_tg in Q. simpl in Q. lra. Qed.
-
 Section HalfTurn.
 Context (r p : R) (Hr : 0 < r < 1) (Hp : 0 < p <= PI / 4).
 Let q := 1 - r.

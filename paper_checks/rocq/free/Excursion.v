@@ -3,6 +3,10 @@
 From Coq Require Import Nsatz.
 From InertialPair Require Import Dini.
 
+(** pi, from seven terms of Leibniz's series *)
+Lemma pi_below : PI <= 10 / 3.
+Proof. pose proof (proj2 (PI_ineq 3)) as Q. unfold tg_alt, PI_tg in Q. simpl in Q. lra. Qed.
+
 (** a smooth function, 0 at 0, with derivative >= 0 on [0, p) *)
 Lemma from_zero (f f' : R -> R) p : (forall u, is_derive f u (f' u)) -> (forall u, 0 <= u < p -> 0 <= f' u) ->
   f 0 = 0 ->
@@ -35,7 +39,7 @@ Qed.
 (** g = sin - u cos *)
 Lemma g_nonneg u : 0 <= u <= PI -> 0 <= sin u - u * cos u.
 Proof.
-  intros. apply (from_zero (fun u => sin u - u * cos u) (fun u => u * sin u) PI); auto; [der| |zero].
+  apply (from_zero (fun u => sin u - u * cos u) (fun u => u * sin u) PI); auto; [der| |zero].
   intros t Ht. apply Rmult_le_pos; [lra|apply sin_pos; lra].
 Qed.
 Lemma g_pos u : 0 < u < PI -> 0 < sin u - u * cos u.
@@ -49,9 +53,7 @@ Lemma N_nonneg u : 0 <= u <= 2 * PI -> 0 <= 2 - 2 * cos u - u * sin u.
 Proof.
   intros Hu. replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin, sin_2a.
   pose proof (g_nonneg (u / 2) ltac:(lra)). pose proof (sin_pos (u / 2) ltac:(lra)).
-  replace (2 - 2 * (1 - 2 * sin (u / 2) * sin (u / 2)) - 2 * (u / 2) * (2 * sin (u / 2) * cos (u / 2)))
-    with (4 * (sin (u / 2) * (sin (u / 2) - u / 2 * cos (u / 2)))) by ring.
-  apply Rmult_le_pos; [lra|]. positive.
+  nra.
 Qed.
 
 (** *** h increases on (0, 2 pi) *)
@@ -64,16 +66,14 @@ Qed.
 (** [h-increases] $h$ increases on $(0,2\pi)$: no two slip angles have the same exit speed. *)
 Theorem h_increases u v : 0 < u -> u < v -> v < 2 * PI -> h u < h v.
 Proof.
-  intros. apply (incr_function h 0 (2 * PI) (fun t => (2 - 2 * cos t - t * sin t) / (1 - cos t) ^ 2)); try (simpl; lra).
+  apply (incr_function h 0 (2 * PI) (fun t => (2 - 2 * cos t - t * sin t) / (1 - cos t) ^ 2)); try (simpl; lra).
   - intros t T0 T1; simpl in T0, T1. pose proof (one_cos t (conj T0 T1)). unfold h. auto_derive; [lra|].
     replace (2 - 2 * cos t - t * sin t) with ((1 - cos t) * (1 - cos t) - (t - sin t) * sin t) by (circle t; nsatz).
     field. lra.
   - intros t T0 T1; simpl in T0, T1. pose proof (one_cos t (conj T0 T1)). apply Rdiv_lt_0_compat; [|positive].
     replace t with (2 * (t / 2)) by field. rewrite cos_2a_sin, sin_2a.
     pose proof (g_pos (t / 2) ltac:(lra)). pose proof (sin_gt_0 (t / 2) ltac:(lra) ltac:(lra)).
-    replace (2 - 2 * (1 - 2 * sin (t / 2) * sin (t / 2)) - 2 * (t / 2) * (2 * sin (t / 2) * cos (t / 2)))
-      with (4 * (sin (t / 2) * (sin (t / 2) - t / 2 * cos (t / 2)))) by ring.
-    repeat apply Rmult_lt_0_compat; lra.
+    nra.
 Qed.
 
 (** *** inequalities in the half angle *)
@@ -120,7 +120,7 @@ Proof.
   apply (from_zero (fun p => 3 * (p - sin p * cos p) ^ 2 - 4 * (sin p - p * cos p) * sin p ^ 3)
     (fun p => 4 * sin p ^ 2 * (2 * p + p * 2 * cos (2 * p) + 2 * p - 3 * sin (2 * p))) PI); auto.
   - dern.
-  - intros t Ht. apply Rmult_le_pos. { pose proof (pow2_ge_0 (sin t)); lra. }
+  - intros t Ht. apply Rmult_le_pos. { positive. }
     pose proof (cusa (2 * t) ltac:(lra)). lra.
   - zero.
 Qed.

@@ -152,7 +152,7 @@ Qed.
 Lemma near t e : 0 < t -> continuous u t -> 0 < e -> exists d, 0 < d <= t /\
   forall p q, t - d < p <= q -> q < t + d -> (kap * load t - e) * (q - p) <= g q - g p <= (kap * load t + e) * (q - p).
 Proof.
-  intros Ht Cu He. assert (Kp : 0 < kap) by (unfold kap; positive). assert (Hek : 0 < e / kap) by positive.
+  intros Ht Cu He. assert (Kp : 0 < kap) by positive. assert (Hek : 0 < e / kap) by positive.
   destruct (load_near m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 U u x v1 v2 s t H ltac:(lra) (fun _ => True) (e / kap) Hek)
     as (d & Hd & K).
   { intros r Hr. destruct (proj1 (filterlim_locally u (u t)) Cu (mkposreal r Hr)) as ((d & Hd) & K). exists d.
@@ -180,7 +180,7 @@ Proof.
   { intros e He. destruct (Req_dec p q) as [->|Ne].
     { replace (s q - s q - k * (q - q)) with 0 by ring. rewrite Rabs_R0. lra. }
     set (d := Rmin (q - p) e / 2). pose proof (Rmin_l (q - p) e). pose proof (Rmin_r (q - p) e).
-    assert (0 < Rmin (q - p) e) by (apply Rmin_glb_lt; lra). pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _
+    assert (0 < Rmin (q - p) e) by positive. pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _
       (forced_moving m1 m2 a1 a2 b _ _ _ _ _ H) (p + d) q k ltac:(unfold d; lra) Hk) as I.
     specialize (I ltac:(intros r Hr; apply W; unfold d in *; lra)).
     pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H p (p + d) ltac:(unfold d; lra)) as Li. apply Rabs_inv in Li. unfold d in *.
@@ -193,7 +193,7 @@ Qed.
 Lemma stuck_rate t : 0 < t -> continuous u t -> w t = 0 -> (forall d, 0 < d -> exists r, t - d < r < t /\ w r = 0) ->
   Rabs (load t) <= b /\ is_derive w t 0.
 Proof.
-  intros Ht Cu W Cr. assert (Kp : 0 < kap) by (unfold kap; positive).
+  intros Ht Cu W Cr. assert (Kp : 0 < kap) by positive.
   assert (Cw : cont w) by exact (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H).
   assert (Li : forall p q, 0 <= p <= q -> - (q - p) <= s q - s p <= q - p)
     by (intros; apply Rabs_inv, (f_lip _ _ _ _ _ _ _ _ _ _ H); auto).
@@ -202,7 +202,7 @@ Proof.
   { apply Rnot_lt_le. intros G. set (e := kap * (Rabs (load t) - b) / 2).
     assert (He : 0 < e) by (unfold e; assert (0 < kap * (Rabs (load t) - b)) by (apply Rmult_lt_0_compat; lra); lra).
     destruct (near t e Ht Cu He) as (d & Hd & K). destruct (Cr d ltac:(lra)) as (r & Hr & Wr).
-    specialize (K r t ltac:(lra) ltac:(lra)). rewrite Gs, W, Wr in K. specialize (Li r t ltac:(lra)).
+    specialize (K r t ltac:(lra) ltac:(lra)). rewrite Gs in K. specialize (Li r t ltac:(lra)).
     assert (kap * b * - (t - r) <= kap * b * (s t - s r)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos|]; lra).
     assert (kap * b * (s t - s r) <= kap * b * (t - r)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos|]; lra).
     unfold e, Rabs in *. destruct (Rcase_abs (load t)); nra. }
@@ -238,7 +238,7 @@ Qed.
 Lemma motion_included t : 0 < t -> continuous u t ->
   (w t = 0 -> forall d, 0 < d -> exists r, t - d < r < t /\ w r = 0) -> included u x v1 v2 t.
 Proof.
-  intros Ht Cu Cr. assert (Kp : 0 < kap) by (unfold kap; positive).
+  intros Ht Cu Cr. assert (Kp : 0 < kap) by positive.
   assert (Sd : exists j, is_derive s t j /\ -1 <= j <= 1 /\ (0 < w t -> j = 1) /\ (w t < 0 -> j = -1)).
   { destruct (Req_dec (w t) 0) as [W|N].
     - destruct (stuck_rate t Ht Cu W (Cr W)) as (Bd & Dw). exists (load t / b). apply Rabs_inv in Bd.
@@ -251,7 +251,7 @@ Proof.
       exists k. split; [|destruct Hk; subst k; lra].
       pose proof (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H) as Cw.
       destruct (cont_scal k _ Cw t ltac:(lra) _ Wt) as (d & Hd & K). set (d' := Rmin d t / 2).
-      pose proof (Rmin_l d t). pose proof (Rmin_r d t). assert (0 < Rmin d t) by (apply Rmin_glb_lt; lra).
+      pose proof (Rmin_l d t). pose proof (Rmin_r d t). assert (0 < Rmin d t) by positive.
       apply (derive_near (fun r => s (t - d') + k * (r - (t - d'))) s t d'); [unfold d'; lra| |auto_derive; auto; ring].
       intros r Hr. rewrite <- (whole_impulse k (t - d') r Hk); [ring|unfold d' in *; lra|].
       intros q Hq. specialize (K q ltac:(unfold d' in *; lra) ltac:(apply Rabs_def1; unfold d' in *; lra)).
@@ -275,7 +275,7 @@ Qed.
 (** Every motion under a force that is continuous at almost all times is a Filippov solution. *)
 Theorem forced_filippov : almost (continuous u) -> filippov u x v1 v2.
 Proof.
-  intros Cu. destruct motion_ac as (Ax & A1 & A2 & _). repeat (split; [auto|]).
+  destruct motion_ac as (Ax & A1 & A2 & _). repeat (split; [auto|]).
   apply (almost_impl (fun t => (0 < t /\ continuous u t) /\ (w t = 0 -> forall d, 0 < d -> exists r, t - d < r < t /\
     w r = 0))); [intros t _ ((Ht & Ct) & Cr); apply motion_included; auto|].
   apply almost_and; [apply almost_and; auto using almost_later|exact (almost_crowded (fun t => w t = 0))].

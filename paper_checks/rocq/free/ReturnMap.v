@@ -8,12 +8,19 @@ Definition depth p := 2 * (sin p - p * cos p) / sin p.       (* c = 2 - theta co
 Lemma hh_h p : 0 < p < PI -> hh p = h (2 * p).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). unfold hh, h. rewrite cos_2a_sin, sin_2a. field.
-  assert (0 < sin p * sin p) by nra. lra.
+  nra.
 Qed.
 Lemma hh_incr p q : 0 < p -> p < q -> q < PI -> hh p < hh q.
 Proof. intros. rewrite !hh_h by lra. apply h_increases; lra. Qed.
 Lemma hh_pos p : 0 < p < PI -> 0 < hh p.
 Proof. intros Hp. apply Rdiv_lt_0_compat; [apply A_pos; auto|]. apply pow_lt, sin_gt_0; lra. Qed.
+(** as its square does *)
+Lemma hh_sq p q : 0 < p < PI -> 0 < q < PI -> (hh p ^ 2 < hh q ^ 2 <-> p < q).
+Proof.
+  intros Hp Hq. pose proof (hh_pos p Hp). pose proof (hh_pos q Hq). destruct (Rtotal_order p q) as [L|[->|L]]; [|lra|];
+    [pose proof (hh_incr p q (proj1 Hp) L (proj2 Hq))|pose proof (hh_incr q p (proj1 Hq) L (proj2 Hp))];
+    split; intros; nra.
+Qed.
 Lemma depth_pos p : 0 < p < PI -> 0 < depth p.
 Proof. intros Hp. apply Rdiv_lt_0_compat; [pose proof (g_pos p Hp); lra|apply sin_gt_0; lra]. Qed.
 
@@ -28,7 +35,7 @@ Qed.
 Theorem depth_upper p : 0 < p < PI -> depth p <= 3 / 2 * hh p ^ 2.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (depth_above p ltac:(lra)) as Q.
-  unfold depth, hh. apply Rmult_le_reg_r with (2 * sin p ^ 4). { pose proof (pow_lt _ 4 S); lra. }
+  unfold depth, hh. apply Rmult_le_reg_r with (2 * sin p ^ 4). { positive. }
   replace (2 * (sin p - p * cos p) / sin p * (2 * sin p ^ 4)) with (4 * (sin p - p * cos p) * sin p ^ 3) by
     (field; lra).
   replace (3 / 2 * ((p - sin p * cos p) / sin p ^ 2) ^ 2 * (2 * sin p ^ 4)) with (3 * (p - sin p * cos p) ^ 2) by
@@ -41,7 +48,7 @@ Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_above_cube p ltac:(lra)) as G.
   pose proof (A_above p ltac:(lra)) as A. pose proof (A_pos p Hp) as Ap. assert (D : 2 / 3 * sin p ^ 2 <= depth p).
   { undivide (sin p). lra. }
-  apply Rle_trans with (2 := D). assert (P2 : (p - sin p * cos p) ^ 2 <= (2 / 3 * p ^ 3) ^ 2) by (apply pow_incr; lra).
+  apply Rle_trans with (2 := D). assert (P2 : (p - sin p * cos p) ^ 2 <= (2 / 3 * p ^ 3) ^ 2) by nra.
   unfold hh. replace (3 / 2 * (sin p / p) ^ 6 * ((p - sin p * cos p) / sin p ^ 2) ^ 2) with (3 / 2 * (sin p ^ 2 / p ^ 6)
     * (p - sin p * cos p) ^ 2) by (field; lra).
   replace (2 / 3 * sin p ^ 2) with (3 / 2 * (sin p ^ 2 / p ^ 6) * (2 / 3 * p ^ 3) ^ 2) by (field; lra).
@@ -87,15 +94,15 @@ Lemma y_pos n : 0 < y n. Proof. apply pow_lt, hh_pos; auto. Qed.
 Lemma loss_upper n : y n - y (S n) <= kappa * y n ^ 2.
 Proof.
   rewrite step. pose proof (depth_upper _ (Hphi n)) as D. pose proof (depth_pos _ (Hphi n)). fold (y n) in D.
-  assert (depth (phi n) ^ 2 <= (3 / 2 * y n) ^ 2) by (apply pow_incr; lra). unfold kappa. nra.
+  assert (depth (phi n) ^ 2 <= (3 / 2 * y n) ^ 2) by nra. unfold kappa. nra.
 Qed.
 Lemma loss_lower n : kappa * si n ^ 12 * y n ^ 2 <= y n - y (S n).
 Proof.
   rewrite step. pose proof (depth_lower _ (Hphi n)) as D. fold (y n) (si n) in D. pose proof (y_pos n).
   pose proof (pow_lt _ 6 (sinc_pos _ (Hphi n))) as S6. assert (0 < 3 / 2 * si n ^ 6 * y n) by positive.
-  assert (Q : (3 / 2 * si n ^ 6 * y n) ^ 2 <= depth (phi n) ^ 2) by (apply pow_incr; lra).
+  assert (Q : (3 / 2 * si n ^ 6 * y n) ^ 2 <= depth (phi n) ^ 2) by nra.
   replace (kappa * si n ^ 12 * y n ^ 2) with (r * (3 / 2 * si n ^ 6 * y n) ^ 2) by (unfold kappa; field).
-  assert (r * (3 / 2 * si n ^ 6 * y n) ^ 2 <= r * depth (phi n) ^ 2) by scale. lra.
+  assert (r * (3 / 2 * si n ^ 6 * y n) ^ 2 <= r * depth (phi n) ^ 2) by nra. lra.
 Qed.
 (** the level falls *)
 Theorem y_falls n : y (S n) < y n.
@@ -212,7 +219,7 @@ Proof.
   replace (Finite (4 / (9 * r))) with (Finite (/ kappa)) by (f_equal; unfold kappa; field; lra).
   apply is_lim_seq_ext_loc with (fun n => / / (INR n * y n)).
   - exists 1%nat. intros n Hn. apply Rinv_involutive. pose proof (y_pos n).
-    assert (0 < INR n) by (apply lt_0_INR; auto). apply Rgt_not_eq. apply Rmult_lt_0_compat; auto.
+    assert (0 < INR n) by (apply lt_0_INR; auto). nra.
   - assert (Q := is_lim_seq_inv _ _ L). apply Q. intros E. injection E. unfold kappa. lra.
 Qed.
 End Orbit.

@@ -107,18 +107,17 @@ Proof.
   { apply is_lim_seq_Reals. apply Cesaro_1. apply is_lim_seq_Reals. apply cy_limit. }
   assert (Z : is_lim_seq (fun n => t0 * / INR n) 0).
   { replace (Finite 0) with (Rbar_mult t0 0) by (simpl; f_equal; ring). apply is_lim_seq_scal_l.
-    assert (Q := is_lim_seq_inv _ _ is_lim_seq_INR). simpl in Q. apply Q. discriminate. }
+    assert (Q := is_lim_seq_inv _ _ is_lim_seq_INR). apply Q. discriminate. }
   replace (Finite (PI / om)) with (Finite (0 + PI / om)) by (f_equal; ring).
   apply is_lim_seq_ext_loc with (fun n => t0 * / INR n + sum_f_R0 cy (pred n) / INR n); [|apply is_lim_seq_plus'; auto].
-  exists 1%nat. intros n Hn. destruct n; [inversion Hn|]. rewrite tm_sum. simpl pred. field.
-    apply not_0_INR; discriminate.
+  exists 1%nat. intros n Hn. destruct n; [inversion Hn|]. rewrite tm_sum. simpl pred. lra.
 Qed.
 Lemma tm_inf : is_lim_seq tm p_infty.
 Proof.
   apply is_lim_seq_ext_loc with (fun n => INR n * (tm n / INR n)).
   { exists 1%nat. intros n Hn. field. apply not_0_INR. lia. }
   apply is_lim_seq_mult with p_infty (PI / om); [apply is_lim_seq_INR|apply time_rate|].
-  apply is_Rbar_mult_p_infty_pos. simpl. apply Rdiv_lt_0_compat; auto. apply PI_RGT_0.
+  apply is_Rbar_mult_p_infty_pos. apply Rdiv_lt_0_compat; auto. apply PI_RGT_0.
 Qed.
 Lemma tm_above B : exists n, B < tm n.
 Proof. pose proof tm_inf as T. apply is_lim_seq_spec in T. destruct (T B) as (n & K). exists n. apply K; auto. Qed.
@@ -145,7 +144,7 @@ Qed.
 Lemma in_cycle N t : tm N <= t -> exists n, (N <= n)%nat /\ tm n <= t <= tm (S n).
 Proof.
   intros HN. destruct (tm_above t) as (n & Hn). apply (bracket N n); auto.
-  assert (Mo : forall i j, tm i <= tm (j + i)). { intros i j. induction j; [change (0 + i)%nat with i; lra|].
+  assert (Mo : forall i j, tm i <= tm (j + i)). { induction j; [change (0 + i)%nat with i; lra|].
     change (S j + i)%nat with (S (j + i)). pose proof (tm_up (j + i)). lra. }
   pose proof (Mo n N). lra.
 Qed.
@@ -168,8 +167,8 @@ Proof.
     apply is_lim_seq_mult'; [apply cy_limit|apply (is_lim_seq_incr_1 y); apply level_to_zero]. }
   assert (EK : Ecr * rate = Ecr * q * K).
   { unfold rate, K. rewrite <- root_inv by lra. fold M. change (sqrt (a2 / M)) with om. unfold q, r.
-    assert (0 < M) by positive. assert (om <> 0) by lra. field. repeat split; lra. }
-  rewrite EK. apply is_lim_spec. intros eps. simpl. assert (C0 : 0 < Ecr * q) by positive.
+    assert (0 < M) by positive. field. repeat split; lra. }
+  apply is_lim_spec. intros eps. assert (C0 : 0 < Ecr * q) by positive.
   assert (He : 0 < eps / (Ecr * q)) by (apply Rdiv_lt_0_compat; [apply cond_pos|auto]).
   apply is_lim_seq_spec in Up. apply is_lim_seq_spec in Lo.
   destruct (Up (mkposreal _ He)) as (N1 & K1). destruct (Lo (mkposreal _ He)) as (N2 & K2). simpl in K1, K2.
@@ -197,7 +196,7 @@ Theorem between a Tu t : 0 <= a -> (forall n, a <= / y (S n) - / y n) -> (forall
   / ((E t / Ecr - 1) / q) <= / y 0 + A * (om * (t - t0) / Tl + 1).
 Proof.
   intros Ha Gain Time Hu. destruct (in_cycle 0 t Hu) as (n & _ & B1 & B2). pose proof Ecr_pos as E0.
-  pose proof (y_plus n) as Y0. pose proof (y_plus (S n)) as Y1. pose proof (tm_from n) as T0.
+  pose proof (y_plus (S n)) as Y1. pose proof (tm_from n) as T0.
   pose proof (E_falls (tm n) t ltac:(lra)) as F1. pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2.
     rewrite exit_level in F1, F2.
   set (yt := (E t / Ecr - 1) / q). assert (EY : E t = Ecr * (1 + q * yt)) by (unfold yt; field; lra).
@@ -228,7 +227,7 @@ Lemma y_below n : y n <= y 0.
 Proof. induction n; [lra|]. pose proof (ReturnMap.y_falls r r_pos ph ph_pi y_step n) as F. unfold y in *. lra. Qed.
 Lemma push_below n : hh (ph n) <= hh p.
 Proof.
-  pose proof (y_below n) as Y. unfold y in Y. pose proof (hh_pos _ (ph_pi n)).
+  pose proof (y_below n) as Y. unfold y in Y.
   pose proof (hh_pos _ (ph_pi 0)) as P0. change (ph 0) with p in *. nra.
 Qed.
 (** with simple constants *)
@@ -238,7 +237,7 @@ Theorem two_sided_ray t : let del := 6 * sqrt q * hh p in let kap := 9 / 4 * r i
     del) + 1)).
 Proof.
   intros del kap Hu. pose proof (sinc_pos _ (ph_pi 0)) as S0. change (ph 0) with p in S0.
-  assert (K0 : 0 < kap) by (unfold kap; lra). assert (S12 : 0 < (sin p / p) ^ 12) by positive.
+  assert (K0 : 0 < kap) by positive. assert (S12 : 0 < (sin p / p) ^ 12) by positive.
   assert (Time : forall n, PI - del <= om * cy n <= PI + del).
   { intros n. pose proof (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)) as Q. apply Rabs_inv in Q.
     fold M in Q. fold q om in Q. pose proof (push_below n). pose proof (sqrt_pos q).

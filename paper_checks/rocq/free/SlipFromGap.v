@@ -22,7 +22,7 @@ Proof. unfold ct. rewrite sin_shift, cos_shift. apply tan_atan. Qed.
 Lemma push_incr d p q : 0 <= d -> 0 < p -> p < q -> q < PI -> push d p < push d q.
 Proof.
   intros Hd H0 Hpq Hq. pose proof (hh_incr p q H0 Hpq Hq). pose proof (ct_falls p q H0 Hpq Hq).
-  unfold push. assert (d * ct q <= d * ct p) by scale. lra.
+  unfold push. assert (d * ct q <= d * ct p) by nra. lra.
 Qed.
 (** what is below u at one angle is u at another *)
 Lemma push_ex d u p0 : 0 < p0 < PI -> push d p0 < u -> {p | 0 < p < PI /\ push d p = u}.
@@ -48,7 +48,7 @@ Proof.
     destruct (push_ex d u p0) as (p & P); [unfold p0; lra| |exists p; auto].
     assert (hh p0 < hh (PI / 2)) as Hh by (apply hh_incr; unfold p0; lra).
     replace (hh (PI / 2)) with (PI / 2) in Hh by (unfold hh; rewrite sin_PI2, cos_PI2; field).
-    unfold push. unfold p0 at 2. rewrite ct_atan, Ec. lra. }
+    unfold push. unfold p0 at 2. rewrite ct_atan. lra. }
   destruct Ex as (p & Hp & E). exists p. split; [auto|]. intros p' (Hp' & E').
   destruct (Rtotal_order p p') as [Lt|[|Gt]]; auto; exfalso.
   - pose proof (push_incr d p p' ltac:(lra) ltac:(lra) Lt ltac:(lra)). lra.
@@ -66,7 +66,7 @@ Proof.
     with (2 * p * (sin p * sin p) - (p - sin p * cos p) + d * cos p * sin p) by (field; lra).
   replace (((p - sin p * cos p) / sin p ^ 2 + cos p / sin p * (2 * (sin p - p * cos p) / sin p + d)) * sin p ^ 2)
     with (p - sin p * cos p + 2 * cos p * sin p - 2 * p * (cos p * cos p) + d * cos p * sin p) by (field; lra).
-  replace (sin p * sin p) with (1 - cos p * cos p) by lra. ring.
+  nra.
 Qed.
 
 Section Gap.
@@ -83,13 +83,6 @@ Definition at_gap k d u (x v1 v2 : R -> R) t := k * x t = L * (1 + q * d) /\ k *
 (** an exit ray is a gap of 0 *)
 Lemma ray_gap k u x v1 v2 t : on_ray m1 m2 a2 b k u x v1 v2 t <-> at_gap k 0 u x v1 v2 t.
 Proof. unfold on_ray, at_gap. rewrite Rmult_0_r, Rplus_0_r, Rmult_1_r. tauto. Qed.
-(** the mirror image *)
-Lemma gap_mirror k d u x v1 v2 t : at_gap k d u x v1 v2 t <->
-  at_gap (- k) d u (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) t.
-Proof.
-  unfold at_gap. lra.
-Qed.
-
 (** the slip from a gap: place of body 1 *)
 Definition Gx d u t := b / a2 + b * m1 / (a2 * m2) * ((1 + d) * cos (o1 * t) + u * sin (o1 * t)).
 (** its speed *)
@@ -182,19 +175,11 @@ Proof.
     assert (T0 : 0 < 2 * p / o1) by positive.
   assert (F : forall u, 0 <= u <= 2 * p / o1 -> k * x (t0 + u) = Gx d (push d p) u /\
     k * v1 (t0 + u) = G1 d (push d p) u /\ k * v2 (t0 + u) = G2 (push d p) u).
-  { assert (C : forall y w1 w2 z, solution m1 m2 0 a2 b y w1 w2 z -> at_gap 1 d (push d p) y w1 w2 t0 ->
-      forall u, 0 <= u <= 2 * p / o1 -> y (t0 + u) = Gx d (push d p) u /\ w1 (t0 + u) = G1 d (push d p) u /\
-        w2 (t0 + u) = G2 (push d p) u).
-    { intros y w1 w2 z S (Ex & Ey & Ez). rewrite Rmult_1_l in Ex, Ey, Ez.
-      apply (follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb y w1 w2 z _ _ _ _ _ t0 S (gap_arc d p Hd Hp) Ht).
-      - rewrite Ex. unfold Gx. rewrite Rmult_0_r, cos_0, sin_0. unfold L, Stick.L, q, M. field. lra.
-      - rewrite Ey. unfold G1, ray, Cycle.ray. fold o1. rewrite Rmult_0_r, cos_0, sin_0. ring.
-      - rewrite Ez. unfold G2, ray, Cycle.ray. fold o1. ring. }
-    intros u Hu. destruct Hk; subst k.
-    - destruct (C x v1 v2 s H HG u Hu) as (A & B & E). rewrite <- A, <- B, <- E. repeat split; ring.
-    - apply gap_mirror in HG. replace (- -1) with 1 in HG by ring.
-      destruct (C _ _ _ _ (mirror m1 m2 a2 b _ _ _ _ H) HG u Hu) as (A & B & E). cbv beta in A, B, E.
-        rewrite <- A, <- B, <- E. repeat split; ring. }
+  { destruct HG as (Ex & Ey & Ez).
+    apply (follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb _ _ _ _ _ _ _ _ _ t0 (sided m1 m2 a2 b k _ _ _ _ Hk H) (gap_arc d p Hd Hp) Ht).
+    - rewrite Ex. unfold Gx. rewrite Rmult_0_r, cos_0, sin_0. unfold L, Stick.L, q, M. field. lra.
+    - rewrite Ey. unfold G1, ray, Cycle.ray. fold o1. rewrite Rmult_0_r, cos_0, sin_0. ring.
+    - rewrite Ez. unfold G2, ray, Cycle.ray. fold o1. ring. }
   destruct (gap_end d p Hp) as (Lx & L1 & L2). fold D in Lx, L1, L2.
     destruct (F (2 * p / o1) ltac:(lra)) as (A & B & C). fold t1 in A, B, C.
   rewrite Lx in A. rewrite L1 in B. rewrite L2 in C. split; [exact F|]. split.
@@ -229,14 +214,14 @@ Proof.
   intros Hk H Ht Hd Hp HG HD t1 d' u'. assert (O : 0 < o1) by (apply o1_pos; auto).
     assert (T0 : 0 < 2 * p / o1) by positive.
   destruct (gap_slip k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & Sg & A & B & C & _). fold t1 in Sg, A, B, C.
-  assert (D0 : 0 < d') by (unfold d'; lra). assert (U : u' = hh p + ct p * (depth p + d)) by (apply next_push; auto).
-  assert (Q0 : 0 < q) by (apply q_pos; auto). assert (G : at_gap (- k) d' u' x v1 v2 t1).
-  { rewrite <- U in B, C. unfold at_gap. split; [|split; lra].
+  assert (D0 : 0 < d') by positive. assert (U : u' = hh p + ct p * (depth p + d)) by (apply next_push; auto).
+  assert (Q0 : 0 < q) by positive. assert (G : at_gap (- k) d' u' x v1 v2 t1).
+  { rewrite <- U in B, C. split; [|split; lra].
     replace (- k * x t1) with (- (k * x t1)) by ring. rewrite A. unfold d'. field. lra. }
-  assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra).
+  assert (Hk' : - k = 1 \/ - k = -1) by lra.
   repeat (split; [auto; fail|]). destruct (push_root d' u' D0) as (p' & (Hp' & E) & Un). exists p'.
     split; [auto|]. split; [auto|]. split.
-  - intros p2 Hp2 E2. symmetry. apply Un; auto.
+  - symmetry. apply Un; auto.
   - rewrite <- E in G. destruct (gap_slip (- k) x v1 v2 s t1 d' p' Hk' H ltac:(unfold t1;
     lra) ltac:(lra) Hp' G) as (_ & S2 & _ & B2 & C2 & _).
     split; [intros t Hu; specialize (S2 t Hu); lra|]. destruct Hk; subst k; lra.
@@ -250,7 +235,7 @@ Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC.
     unfold Rsqr in SC. unfold ct.
   replace (1 + (cos p / sin p) ^ 2) with ((sin p * sin p + cos p * cos p) / sin p ^ 2) by (field; lra).
-    rewrite SC. field. lra.
+    rewrite SC. lra.
 Qed.
 (** 1 - h k = c (1 + k^2) / 2 *)
 Lemma half_depth p : 0 < p < PI -> depth p * (1 + ct p ^ 2) = 2 * (1 - hh p * ct p).
@@ -265,9 +250,9 @@ Qed.
 Lemma level_loss m1 m2 p d : 0 < m1 -> 0 < m2 -> 0 < p < PI ->
   level m1 m2 p d = push d p ^ 2 + 2 * d + m1 / (m1 + m2) * d ^ 2 - m2 / (m1 + m2) * (depth p * (depth p + 2 * d)).
 Proof.
-  intros H1 H2 Hp. pose proof (half_depth p Hp) as I. unfold level, push. cbv zeta.
-  replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra). set (q := m1 / (m1 + m2)).
-  set (c := depth p) in *. set (h := hh p) in *. set (k := ct p) in *. clearbody c h k q.
+  intros H1 H2 Hp. pose proof (half_depth p Hp) as I. unfold level, push.
+  replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra).
+  set (c := depth p) in *. set (h := hh p) in *. set (k := ct p) in *.
   apply Rminus_diag_uniq. rewrite <- (Rmult_0_r (c + 2 * d)).
   replace 0 with (c * (1 + k ^ 2) - 2 * (1 - h * k)) at 1 by lra. ring.
 Qed.
@@ -297,7 +282,7 @@ Proof.
   intros H Ht Hp HR. apply ray_gap in HR. rewrite <- (push_0 p) in HR.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb 1 x v1 v2 s t0 0 p (or_introl eq_refl) H Ht (Rle_refl 0) Hp HR)
     as (_ & Sg & A & B & C & _).
-  pose proof (next_push 0 p Hp) as N. rewrite push_0 in N. rewrite <- N in B, C. rewrite Rplus_0_r in A.
+  pose proof (next_push 0 p Hp) as N. rewrite push_0 in N. rewrite <- N in B, C.
   fold o1 in Sg, A, B, C. fold L M in A. fold q in A. unfold ray, Cycle.ray in *.
   split; [intros u Hu; specialize (Sg (t0 + u) ltac:(lra)); lra|]. repeat split; lra.
 Qed.
