@@ -57,8 +57,8 @@ Lemma arc_inside al rho t : 1 <= rho -> 0 <= al -> rho * cos al <= 1 -> 0 <= t <
 Proof.
   intros Hr Ha Hc Ht. pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as O. fold om in O.
   assert (Th : t * om <= acos (- / rho) - al) by (apply Rle_div_r; lra). assert (0 <= om * t) by positive.
-  assert (Ir : - 1 <= - / rho <= 1) by (assert (0 < / rho <= / 1) by (split; [positive|apply Rinv_le_contravar; lra]); lra).
-  pose proof (acos_bound (- / rho)). assert (cos (al + om * t) <= cos al) by (apply cos_decr_1; lra).
+  assert (Ir : - 1 <= - / rho <= 1) by (assert (0 < / rho <= / 1) by (split; [positive|apply Rinv_le_contravar; lra]);
+    lra). pose proof (acos_bound (- / rho)). assert (cos (al + om * t) <= cos al) by (apply cos_decr_1; lra).
   assert (C : cos (acos (- / rho)) <= cos (al + om * t)) by (apply cos_decr_1; lra). rewrite cos_acos in C by lra.
   assert (rho * - / rho = -1) by (field; lra). nra.
 Qed.
@@ -73,21 +73,21 @@ Proof.
   - intros t. unfold Cx, Cv. auto_derive; auto. rewrite Mo. unfold M. field. lra.
   - intros t. unfold Cx, Cv. auto_derive; auto. field. lra.
   - pose proof (arc_inside al rho t Hr Ha Hc ltac:(lra)).
-    replace (m2 / b * (- (om * om) * Cx al rho t)) with (- (rho * cos (al + om * t))); [lra|].
-    unfold Cx, L, Stick.L. rewrite Mo at 1. unfold M. field. repeat split; lra.
+    replace (m2 / b * (- (om * om) * Cx al rho t)) with (- (rho * cos (al + om * t))); [lra|]. unfold Cx, L, Stick.L.
+    rewrite Mo at 1. unfold M. field. repeat split; lra.
 Qed.
 (** its level *)
 Lemma arc_level al rho t : energy m1 m2 a2 (Cx al rho t) (Cv al rho t) (Cv al rho t) = Ecr * (rho * rho).
 Proof.
   unfold Ecr. rewrite Ecr_L by auto. fold L. unfold energy, Cx, Cv. rewrite Mom. unfold M.
-  transitivity ((m1 + m2) * (om * om) * L ^ 2 / 2 * (rho * rho) * (sin (al + om * t) ^ 2 + cos (al + om * t) ^ 2)); [field|].
-  rewrite <- !Rsqr_pow2, sin2_cos2. field.
+  transitivity ((m1 + m2) * (om * om) * L ^ 2 / 2 * (rho * rho) * (sin (al + om * t) ^ 2 + cos (al + om * t) ^ 2));
+    [field|]. rewrite <- !Rsqr_pow2, sin2_cos2. field.
 Qed.
 (** on S the level and the place give the speed to the left *)
 Lemma same_speed y v w : energy m1 m2 a2 y v v = energy m1 m2 a2 y w w -> v <= 0 -> w <= 0 -> v = w.
 Proof.
-  unfold energy. intros E Hv Hw. assert (Z : (m1 + m2) * ((v - w) * (v + w)) = 0) by lra.
-  apply Rmult_integral in Z. destruct Z as [|Z]; [lra|]. apply Rmult_integral in Z. lra.
+  unfold energy. intros E Hv Hw. assert (Z : (m1 + m2) * ((v - w) * (v + w)) = 0) by lra. apply Rmult_integral in Z.
+  destruct Z as [|Z]; [lra|]. apply Rmult_integral in Z. lra.
 Qed.
 
 (** rho: amplitude over L at the level y = w/q *)
@@ -95,8 +95,7 @@ Definition amp y := sqrt (1 + q * y).
 Lemma amp_sq y : 0 <= y -> amp y * amp y = 1 + q * y.
 Proof. intros. apply sqrt_sqrt. positive. Qed.
 Lemma amp_ge y : 0 <= y -> 1 <= amp y.
-Proof. intros. pose proof q_pos. rewrite <- sqrt_1 at 1. apply sqrt_le_1_alt.
-  nra. Qed.
+Proof. intros. pose proof q_pos. rewrite <- sqrt_1 at 1. apply sqrt_le_1_alt. nra. Qed.
 
 (** the data of the stick from (L z, v), v < 0, at the level y = u^2: it starts there and ends on the ray x = -L with
     speed ray u *)
@@ -110,9 +109,8 @@ Proof.
   assert (R1 : 1 <= rho) by (apply amp_ge; positive).
   assert (R2 : rho * rho = 1 + q * u ^ 2) by (apply amp_sq; positive). assert (R3 : 1 < rho) by nra.
   assert (Ir : 0 < / rho < 1) by (split; [positive|rewrite <- Rinv_1; apply Rinv_lt_contravar; lra]).
-  assert (Zr : - / rho <= z / rho <= / rho) by nra.
-  pose proof (acos_bound (z / rho)) as Ab. fold al in Ab. pose proof (acos_bound (- / rho)) as Ag.
-  assert (Ca : cos al = z / rho) by (apply cos_acos; lra).
+  assert (Zr : - / rho <= z / rho <= / rho) by nra. pose proof (acos_bound (z / rho)) as Ab. fold al in Ab.
+  pose proof (acos_bound (- / rho)) as Ag. assert (Ca : cos al = z / rho) by (apply cos_acos; lra).
   assert (Cg : cos (acos (- / rho)) = - / rho) by (apply cos_acos; lra).
   assert (Ord : al <= acos (- / rho)) by (apply cos_decr_0; lra).
   assert (Al0 : 0 < al) by (destruct (Req_dec al 0) as [E|]; [rewrite E, cos_0 in Ca|]; lra).
@@ -122,9 +120,8 @@ Proof.
   { intros t Ht. unfold Cv. pose proof (sin_ge_0 (al + om * t) ltac:(lra) ltac:(lra)).
     assert (0 <= L * rho * om * sin (al + om * t)) by positive. lra. }
   assert (X0 : Cx al rho 0 = L * z) by (unfold Cx; rewrite Rmult_0_r, Rplus_0_r, Rmult_assoc, Rc; auto).
-  assert (XT : Cx al rho T = - L) by (unfold Cx; rewrite Ang, Cg; field; lra).
-  do 3 (split; [lra|]). split; [split; [positive|apply Rmult_lt_compat_r; [positive|lra]]|].
-  split; [auto|split; [|split; [auto|]]].
+  assert (XT : Cx al rho T = - L) by (unfold Cx; rewrite Ang, Cg; field; lra). do 3 (split; [lra|]).
+  split; [split; [positive|apply Rmult_lt_compat_r; [positive|lra]]|]. split; [auto|split; [|split; [auto|]]].
   - pose proof (arc_level al rho 0) as E. rewrite X0, R2, <- En in E. apply same_speed with (1 := E); [apply Neg|]; lra.
   - pose proof (arc_level al rho T) as E. rewrite XT, R2, <- ray_level in E. pose proof (ray_pos u Hu).
     apply (same_speed L); [rewrite <- (Ropp_involutive L)|apply Neg|]; try lra. unfold energy in *. lra.
@@ -142,9 +139,8 @@ Proof.
   intros H Ht Hu Ex Hz Hv Ev En T. rewrite Ex, Ev in En.
   destruct (stick_ends z (v1 t0) u Hu Hz Hv En) as (R3 & Al & Rc & HT & X0 & V0 & XT & VT). fold T in HT, XT, VT.
   pose proof (stick_arc _ _ (Rlt_le _ _ R3) Al) as A. rewrite Rc in A. specialize (A (proj2 Hz)).
-  pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0.
-  assert (F := follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s _ _ _ _ _ t0 H A Ht
-    ltac:(congruence) ltac:(congruence) ltac:(congruence)). fold T in F. split; [auto|]. split.
+  pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0. assert (F := follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1
+    v2 s _ _ _ _ _ t0 H A Ht ltac:(congruence) ltac:(congruence) ltac:(congruence)). fold T in F. split; [auto|]. split.
   - destruct (F T ltac:(lra)) as (G0 & G1 & G2). unfold on_ray. lra.
   - intros t Hu'. destruct (F t Hu') as (G0 & G1 & G2). rewrite G0. unfold Cx.
     pose proof (arc_inside _ _ t (Rlt_le _ _ R3) Al ltac:(lra) Hu'). split; nra.

@@ -52,8 +52,7 @@ Qed.
 Lemma N_nonneg u : 0 <= u <= 2 * PI -> 0 <= 2 - 2 * cos u - u * sin u.
 Proof.
   intros Hu. replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin, sin_2a.
-  pose proof (g_nonneg (u / 2) ltac:(lra)). pose proof (sin_pos (u / 2) ltac:(lra)).
-  nra.
+  pose proof (g_nonneg (u / 2) ltac:(lra)). pose proof (sin_pos (u / 2) ltac:(lra)). nra.
 Qed.
 
 (** *** h increases on (0, 2 pi) *)
@@ -71,9 +70,8 @@ Proof.
     replace (2 - 2 * cos t - t * sin t) with ((1 - cos t) * (1 - cos t) - (t - sin t) * sin t) by (circle t; nsatz).
     field. lra.
   - intros t T0 T1; simpl in T0, T1. pose proof (one_cos t (conj T0 T1)). apply Rdiv_lt_0_compat; [|positive].
-    replace t with (2 * (t / 2)) by field. rewrite cos_2a_sin, sin_2a.
-    pose proof (g_pos (t / 2) ltac:(lra)). pose proof (sin_gt_0 (t / 2) ltac:(lra) ltac:(lra)).
-    nra.
+    replace t with (2 * (t / 2)) by field. rewrite cos_2a_sin, sin_2a. pose proof (g_pos (t / 2) ltac:(lra)).
+    pose proof (sin_gt_0 (t / 2) ltac:(lra) ltac:(lra)). nra.
 Qed.
 
 (** *** inequalities in the half angle *)
@@ -120,7 +118,6 @@ Proof.
   apply (from_zero (fun p => 3 * (p - sin p * cos p) ^ 2 - 4 * (sin p - p * cos p) * sin p ^ 3)
     (fun p => 4 * sin p ^ 2 * (2 * p + p * 2 * cos (2 * p) + 2 * p - 3 * sin (2 * p))) PI); auto.
   - dern.
-  - intros t Ht. apply Rmult_le_pos. { positive. }
-    pose proof (cusa (2 * t) ltac:(lra)). lra.
+  - intros t Ht. apply Rmult_le_pos. { positive. } pose proof (cusa (2 * t) ltac:(lra)). lra.
   - zero.
 Qed.

@@ -4,13 +4,13 @@ From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunc
 (** each h > 0 is that of an angle *)
 Lemma half_ex u : 0 < u -> {p | 0 < p < PI /\ hh p = u}.
 Proof.
-  intros Hu. set (p0 := Rmin 1 (u / 4)). pose proof PI2_1. assert (P0 : 0 < p0 /\ p0 <= 1 /\ p0 <= u / 4).
-  { repeat split; [positive|apply Rmin_l|apply Rmin_r]. }
+  intros Hu. set (p0 := Rmin 1 (u / 4)). pose proof PI2_1.
+  assert (P0 : 0 < p0 /\ p0 <= 1 /\ p0 <= u / 4) by (repeat split; [positive|apply Rmin_l|apply Rmin_r]).
   destruct (push_ex 0 u p0) as (p & P); [lra| |exists p; rewrite <- push_0; auto]. rewrite push_0.
   pose proof (sin_half p0 ltac:(lra)) as S. pose proof (A_above p0 ltac:(lra)) as A.
   assert (0 < p0 ^ 2) by positive. assert (p0 ^ 2 / 4 <= sin p0 ^ 2) by nra.
-  apply Rmult_lt_reg_r with (sin p0 ^ 2); [lra|]. replace (hh p0 * sin p0 ^ 2) with (p0 - sin p0 * cos p0);
-    [nra|unfold hh; field; lra].
+  apply Rmult_lt_reg_r with (sin p0 ^ 2); [lra|].
+  replace (hh p0 * sin p0 ^ 2) with (p0 - sin p0 * cos p0); [nra|unfold hh; field; lra].
 Qed.
 (** the half angle by the push *)
 Definition half u := match Rlt_dec 0 u with left Hu => proj1_sig (half_ex u Hu) | right _ => 1 end.
@@ -37,8 +37,7 @@ Lemma back p : 0 < p <= PI / 2 -> hh p < 2 * p.
 Proof.
   intros Hp. destruct (Req_dec p (PI / 2)) as [->|N]. { rewrite hh_half_pi. lra. }
   pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos (2 * p) ltac:(lra)) as G.
-    rewrite cos_2a_sin, sin_2a in G.
-  undivide (sin p ^ 2). nra.
+  rewrite cos_2a_sin, sin_2a in G. undivide (sin p ^ 2). nra.
 Qed.
 
 (** h/c decreases up to pi/2, because K > 0 there *)
@@ -53,13 +52,12 @@ Qed.
 (** so an excursion shorter than one that ends above E_cr ends above it too *)
 Lemma stays_above r p q : 0 < p -> p <= q -> q <= PI / 2 -> r * depth q ^ 2 < hh q ^ 2 -> r * depth p ^ 2 < hh p ^ 2.
 Proof.
-  intros Hp Hpq Hq I. pose proof (depth_pos p ltac:(lra)) as Dp.
-    pose proof (depth_pos q ltac:(lra)) as Dq.
+  intros Hp Hpq Hq I. pose proof (depth_pos p ltac:(lra)) as Dp. pose proof (depth_pos q ltac:(lra)) as Dq.
   pose proof (hh_pos q ltac:(lra)) as Hh. pose proof (ratio_falls p q Hp Hpq Hq) as R1.
   assert (Eq : hh q = ratio q * depth q) by (unfold ratio; field; lra).
-    assert (Ep : hh p = ratio p * depth p) by (unfold ratio; field; lra).
-  assert (R0 : 0 < ratio q) by nra. assert (R2 : ratio q ^ 2 <= ratio p ^ 2) by nra.
-  rewrite Eq, Rpow_mult_distr in I. apply Rmult_lt_reg_r in I; [|positive]. rewrite Ep, Rpow_mult_distr. scale.
+  assert (Ep : hh p = ratio p * depth p) by (unfold ratio; field; lra). assert (R0 : 0 < ratio q) by nra.
+  assert (R2 : ratio q ^ 2 <= ratio p ^ 2) by nra. rewrite Eq, Rpow_mult_distr in I.
+  apply Rmult_lt_reg_r in I; [|positive]. rewrite Ep, Rpow_mult_distr. scale.
 Qed.
 
 (** acos is at most sqrt (8 (1 - z)) *)
@@ -98,19 +96,18 @@ Definition cyc p := 2 * p / o1 + (acos (- / amp (hh (next p) ^ 2)) - acos ((1 - 
 (** 9/4 r h^2 < 1 is enough *)
 Lemma ok_small p : 0 < p <= PI / 2 -> 9 / 4 * r * hh p ^ 2 < 1 -> ok p.
 Proof.
-  split; auto. assert (P : 0 < p < PI) by lra.
-  pose proof (depth_pos p P) as D0. pose proof (depth_upper p P) as D1. assert (D2 : depth p ^ 2 <= (3 / 2 * hh p ^ 2) ^ 2) by nra. nra.
+  split; auto. assert (P : 0 < p < PI) by lra. pose proof (depth_pos p P) as D0. pose proof (depth_upper p P) as D1.
+  assert (D2 : depth p ^ 2 <= (3 / 2 * hh p ^ 2) ^ 2) by nra. nra.
 Qed.
 (** the next excursion is one of them too, and its level is that of the return map *)
 Lemma next_ok p : ok p -> ok (next p) /\ hh (next p) ^ 2 = hh p ^ 2 - r * depth p ^ 2.
 Proof.
   intros (Hp & Hs). assert (P : 0 < p < PI) by lra. pose proof (hh_pos p P) as H0.
-  assert (Y : 0 < hh p ^ 2 - r * depth p ^ 2) by lra.
-  destruct (half_spec _ (sqrt_lt_R0 _ Y)) as (Hn & E). fold (next p) in Hn, E.
-  assert (E2 : hh (next p) ^ 2 = hh p ^ 2 - r * depth p ^ 2). { rewrite E, <- Rsqr_pow2, Rsqr_sqrt; lra. }
-  split; auto.
-  assert (hh (next p) <= hh p). { nra. }
-  pose proof (proj1 (hh_le (next p) p Hn P) ltac:(lra)). split; [lra|]. apply (stays_above r (next p) p); lra.
+  assert (Y : 0 < hh p ^ 2 - r * depth p ^ 2) by lra. destruct (half_spec _ (sqrt_lt_R0 _ Y)) as (Hn & E).
+  fold (next p) in Hn, E.
+  assert (E2 : hh (next p) ^ 2 = hh p ^ 2 - r * depth p ^ 2) by (rewrite E, <- Rsqr_pow2, Rsqr_sqrt; lra).
+  split; auto. assert (hh (next p) <= hh p) by nra. pose proof (proj1 (hh_le (next p) p Hn P) ltac:(lra)).
+  split; [lra|]. apply (stays_above r (next p) p); lra.
 Qed.
 Lemma ok_pi p : ok p -> 0 < p < PI. Proof. intros (Hp & _). lra. Qed.
 
@@ -135,9 +132,8 @@ Proof.
   - fold om amp in St, Sr, Si. set (T :=
     (acos (- / amp (hh (next p) ^ 2)) - acos ((1 - q * depth p) / amp (hh (next p) ^ 2))) / om) in *.
     assert (C : cyc p = 2 * p / o1 + T) by auto. rewrite C.
-      replace (t0 + (2 * p / o1 + T)) with (t1 + T) by (unfold t1; ring).
-    split; [lra|]. split; [exact Sr|]. split; [exact Sl|]. intros u Hu.
-      replace (t0 + u) with (t1 + (u - 2 * p / o1)) by (unfold t1; ring). apply Si. lra.
+    replace (t0 + (2 * p / o1 + T)) with (t1 + T) by (unfold t1; ring). split; [lra|]. split; [exact Sr|].
+    split; [exact Sl|]. intros u Hu. replace (t0 + u) with (t1 + (u - 2 * p / o1)) by (unfold t1; ring). apply Si. lra.
 Qed.
 
 (** [cycle] From a ray with slip angle up to $\pi$ and $r\,c^2<h^2$ to the other ray: one slip and one stick, with the
@@ -150,8 +146,8 @@ Theorem cycle k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v
 Proof.
   intros Hk H Ht Hok HR. destruct (cycle1 _ _ _ _ t0 p (sided m1 m2 a2 b k _ _ _ _ Hk H) Ht Hok) as (A & B & C & D).
   { unfold on_ray, Cycle.on_ray in *. lra. }
-  split; [auto|]. split; [unfold on_ray, Cycle.on_ray in *; lra|]. split; [auto|].
-  intros u Hu. specialize (D u Hu). destruct Hk; subst k; lra.
+  split; [auto|]. split; [unfold on_ray, Cycle.on_ray in *; lra|]. split; [auto|]. intros u Hu. specialize (D u Hu).
+  destruct Hk; subst k; lra.
 Qed.
 
 (** the cycle time is pi / omega up to 6 sqrt q hh p / omega *)
@@ -165,33 +161,24 @@ Qed.
 Theorem cycle_time p : ok p -> Rabs (om * cyc p - PI) <= 6 * sqrt q * hh p.
 Proof.
   intros Hok. pose proof (ok_pi p Hok) as Hp. destruct (next_ok p Hok) as (Hn & E).
-    pose proof (hh_pos _ (ok_pi _ Hn)) as H1.
-  pose proof (hh_pos p Hp) as H0. pose proof (depth_pos p Hp) as D0. pose proof (depth_upper p Hp) as D1.
-    pose proof (hh_below p Hp) as Hb'.
-  destruct Hok as (Hok & _). pose proof (depth_two p Hok) as D2.
-  set (y1 := hh (next p) ^ 2) in *. assert (Y1 : 0 < y1) by positive.
-  assert (Y2 : y1 <= hh p ^ 2). { nra. }
-  assert (R1 : 1 <= amp y1) by (apply amp_ge; auto; lra).
-    assert (R2 : amp y1 * amp y1 = 1 + q * y1) by (apply amp_sq; auto; lra).
-  unfold cyc. fold y1. set (rho := amp y1) in *. assert (R3 : rho - 1 <= q * y1 / 2) by nra.
-  assert (Ir : 0 < / rho <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1.
-    apply Rinv_le_contravar; lra. }
-  assert (I1 : rho * / rho = 1) by (apply Rinv_r; lra).
-  rewrite acos_opp. set (A := acos (/ rho)). set (B := acos ((1 - q * depth p) / rho)).
-  pose proof (acos_bound (/ rho)) as A0. fold A in A0. pose proof (acos_bound ((1 - q * depth p) / rho)) as B0.
-    fold B in B0.
-  pose proof (sqrt_pos q) as Q0. pose proof (sqrt_sqrt q ltac:(lra)) as Q1. assert (A1 : A <= 2 * sqrt q * hh p).
-  { pose proof (acos_small (/ rho) ltac:(lra)) as S. fold A in S.
-    assert (q * y1 <= q * hh p ^ 2) by nra. assert (A ^ 2 <= (2 * sqrt q * hh p) ^ 2).
-      { nra. }
-    assert (0 <= sqrt q * hh p) by positive. nra. }
+  pose proof (hh_pos _ (ok_pi _ Hn)) as H1. pose proof (hh_pos p Hp) as H0. pose proof (depth_pos p Hp) as D0.
+  pose proof (depth_upper p Hp) as D1. pose proof (hh_below p Hp) as Hb'. destruct Hok as (Hok & _).
+  pose proof (depth_two p Hok) as D2. set (y1 := hh (next p) ^ 2) in *. assert (Y1 : 0 < y1) by positive.
+  assert (Y2 : y1 <= hh p ^ 2) by nra. assert (R1 : 1 <= amp y1) by (apply amp_ge; auto; lra).
+  assert (R2 : amp y1 * amp y1 = 1 + q * y1) by (apply amp_sq; auto; lra). unfold cyc. fold y1.
+  set (rho := amp y1) in *. assert (R3 : rho - 1 <= q * y1 / 2) by nra. assert (Ir : 0 < / rho <= 1).
+  { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. }
+  assert (I1 : rho * / rho = 1) by (apply Rinv_r; lra). rewrite acos_opp. set (A := acos (/ rho)).
+  set (B := acos ((1 - q * depth p) / rho)). pose proof (acos_bound (/ rho)) as A0. fold A in A0.
+  pose proof (acos_bound ((1 - q * depth p) / rho)) as B0. fold B in B0. pose proof (sqrt_pos q) as Q0.
+  pose proof (sqrt_sqrt q ltac:(lra)) as Q1. assert (A1 : A <= 2 * sqrt q * hh p).
+  { pose proof (acos_small (/ rho) ltac:(lra)) as S. fold A in S. assert (q * y1 <= q * hh p ^ 2) by nra.
+    assert (A ^ 2 <= (2 * sqrt q * hh p) ^ 2) by nra. assert (0 <= sqrt q * hh p) by positive. nra. }
   assert (B1 : B <= 4 * sqrt q * hh p).
-  { assert (Qd : 0 < q * depth p <= 2). { nra. }
-    pose proof (acos_small ((1 - q * depth p) / rho) ltac:(unfold Rdiv; split; nra)) as S. fold B in S.
-    nra. }
+  { assert (Qd : 0 < q * depth p <= 2) by nra.
+    pose proof (acos_small ((1 - q * depth p) / rho) ltac:(unfold Rdiv; split; nra)) as S. fold B in S. nra. }
   replace (om * (2 * p / o1 + (PI - A - B) / om) - PI) with (2 * p * (om / o1) - A - B) by (field; lra). rewrite om_o1.
-  assert (0 <= 2 * p * sqrt q <= 3 * sqrt q * hh p). { nra. }
-  apply Rabs_le. lra.
+  assert (0 <= 2 * p * sqrt q <= 3 * sqrt q * hh p) by nra. apply Rabs_le. lra.
 Qed.
 
 (** *** The exits of the solution *)
@@ -204,12 +191,11 @@ Proof. intros Hp. induction n; simpl; auto. apply next_ok; auto. Qed.
 (** a cycle is longer than its slip *)
 Lemma cyc_long p : ok p -> 0 < 2 * p / o1 < cyc p.
 Proof.
-  intros Hp. pose proof (ok_pi _ Hp). split; [positive|].
-  destruct Hp as (Hp & _). pose proof (depth_two p Hp). pose proof (depth_pos p ltac:(lra)).
+  intros Hp. pose proof (ok_pi _ Hp). split; [positive|]. destruct Hp as (Hp & _). pose proof (depth_two p Hp).
+  pose proof (depth_pos p ltac:(lra)).
   assert (R1 : 1 <= amp (hh (next p) ^ 2)) by (apply amp_ge; auto; apply pow2_ge_0). unfold cyc.
-  set (rho := amp (hh (next p) ^ 2)) in *.
-  assert (Ir : 0 < / rho <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1.
-    apply Rinv_le_contravar; lra. }
+  set (rho := amp (hh (next p) ^ 2)) in *. assert (Ir : 0 < / rho <= 1). { split; [apply Rinv_0_lt_compat; lra|].
+    rewrite <- Rinv_1. apply Rinv_le_contravar; lra. }
   pose proof (acos_bound (- / rho)). pose proof (acos_bound ((1 - q * depth p) / rho)).
   assert (Qd : 0 < q * depth p < 2) by nra. assert (- / rho < (1 - q * depth p) / rho <= 1) by nra.
   assert (acos ((1 - q * depth p) / rho) < acos (- / rho)).
@@ -242,8 +228,7 @@ Lemma ray_energy k u x v1 v2 t : k = 1 \/ k = -1 -> on_ray k u x v1 v2 t ->
   energy m1 m2 a2 (x t) (v1 t) (v2 t) = Ecr * (1 + q * u ^ 2).
 Proof.
   intros Hk (Ex & E1 & E2). unfold Ecr, q, M. rewrite <- (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 u).
-  assert (Ev : v2 t = v1 t) by nra. rewrite <- Ex, <- E1, Ev.
-  unfold energy. destruct Hk; subst k; field.
+  assert (Ev : v2 t = v1 t) by nra. rewrite <- Ex, <- E1, Ev. unfold energy. destruct Hk; subst k; field.
 Qed.
 (** [exit-energy] Along the orbit of exits the energy at each is $E_{cr}(1+q\,y)$. *)
 Theorem exit_energy k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> ok p ->

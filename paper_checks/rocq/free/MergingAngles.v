@@ -29,22 +29,20 @@ Theorem ratio_set ps g : 0 < ps < PI -> K ps = 0 -> ratio ps <= g <= 1 ->
   exists pl pu, 0 < pl /\ pl <= ps /\ ps <= pu /\ pu < PI /\ ratio pl = g /\ ratio pu = g /\
     forall p, 0 < p < PI -> (ratio p <= g <-> pl <= p <= pu) /\ (ratio p < g <-> pl < p < pu).
 Proof.
-  intros Hps Z Hg. destruct (signs ps ltac:(lra) Z) as (Le & Ri).
-  assert (Falls : forall p q, 0 < p -> p < q -> q <= ps -> ratio q < ratio p)
-    by (intros p q Hp Hq H; apply (ratio_step p q); try lra; intros; apply Le; lra).
-  assert (Rises : forall p q, ps <= p -> p < q -> q < PI -> ratio p < ratio q)
-    by (intros p q Hp Hq H; apply (ratio_step p q); try lra; intros; apply Ri; lra).
-  destruct (half_spec (1 / 2) ltac:(lra)) as (Hh & Eh). set (pa := Rmin (half (1 / 2)) (ps / 2)).
+  intros Hps Z Hg. destruct (signs ps ltac:(lra) Z) as (Le & Ri). assert (Falls : forall p q, 0 < p -> p < q -> q <= ps
+    -> ratio q < ratio p) by (intros p q Hp Hq H; apply (ratio_step p q); try lra; intros; apply Le; lra).
+  assert (Rises : forall p q, ps <= p -> p < q -> q < PI -> ratio p < ratio q) by (intros p q Hp Hq H; apply (ratio_step
+    p q); try lra; intros; apply Ri; lra). destruct (half_spec (1 / 2) ltac:(lra)) as (Hh & Eh).
+  set (pa := Rmin (half (1 / 2)) (ps / 2)).
   assert (Pa : 0 < pa < ps /\ pa <= half (1 / 2)) by (unfold pa, Rmin; destruct Rle_dec; lra).
   assert (Ra : 1 < ratio pa) by (apply ratio_short; [lra|rewrite <- Eh; apply hh_le; lra]).
   set (pb := Rmax (PI - / 20) ((ps + PI) / 2)).
   assert (Pb : PI - / 20 <= pb < PI /\ ps < pb) by (unfold pb, Rmax; destruct Rle_dec; lra).
-  pose proof (ratio_long pb ltac:(lra)) as Rb.
-  assert (Val : forall k u v, 0 < u < v -> v < PI -> k * (ratio u - g) < 0 -> 0 < k * (ratio v - g) ->
-    exists z, u <= z <= v /\ ratio z = g).
+  pose proof (ratio_long pb ltac:(lra)) as Rb. assert (Val : forall k u v, 0 < u < v -> v < PI -> k * (ratio u - g) < 0
+    -> 0 < k * (ratio v - g) -> exists z, u <= z <= v /\ ratio z = g).
   { intros k u v Hu Hv Lo Up. destruct (IVT_interv (fun p => k * (ratio p - g)) u v) as (z & Hz & E); auto; [|lra|].
-    - intros p Hp. apply continuity_pt_scal, continuity_pt_minus; [apply ratio_cont; lra|].
-      apply continuity_pt_const. intros ? ?. auto.
+    - intros p Hp. apply continuity_pt_scal, continuity_pt_minus; [apply ratio_cont; lra|]. apply continuity_pt_const.
+      intros ? ?. auto.
     - exists z. split; [auto|]. destruct (Rmult_integral _ _ E) as [->|]; lra. }
   assert (Ends : exists pl pu, pa <= pl <= ps /\ ps <= pu <= pb /\ ratio pl = g /\ ratio pu = g).
   { destruct (proj1 Hg) as [Lt|E]; [|exists ps, ps; lra]. destruct (Val (-1) pa ps) as (pl & Hl & El); try lra.
@@ -91,9 +89,9 @@ Proof.
   exists pl, pu. repeat (split; [auto; fail|]). split; [rewrite <- A5; apply Eq; lra|].
   split; [rewrite <- A6; apply Eq; lra|]. split.
   - intros Hlt. apply (A7 ps Hps). assert (0 < r - ratio ps ^ 2) by (rewrite Sh; apply Rmult_lt_0_compat; lra). nra.
-  - intros p Hp. destruct (Eq p Hp) as (E & Q & D). destruct (A7 p Hp) as (<- & <-).
-    rewrite E, Rpow_mult_distr, <- SS. split; split; intros I; [apply Rmult_le_reg_r in I|apply Rmult_le_compat_r|
-      apply Rmult_lt_reg_r in I|apply Rmult_lt_compat_r]; nra.
+  - intros p Hp. destruct (Eq p Hp) as (E & Q & D). destruct (A7 p Hp) as (<- & <-). rewrite E, Rpow_mult_distr, <- SS.
+    split; split; intros I; [apply Rmult_le_reg_r in I|apply Rmult_le_compat_r| apply Rmult_lt_reg_r in I|apply
+      Rmult_lt_compat_r]; nra.
 Qed.
 
 (** *** Light drivers: the interval tends to the one between the roots of hh = depth *)
@@ -109,8 +107,7 @@ Proof.
   assert (R0 : 0 < ratio ps) by (apply Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto).
   assert (Rs : ratio ps < 1).
   { apply Rle_lt_trans with (ratio (PI / 2)); [apply ratio_least; auto; lra|].
-    rewrite ratio_AB, sin_PI2, cos_PI2 by lra.
-    replace (_ / _) with (PI / 4) by field. lra. }
+    rewrite ratio_AB, sin_PI2, cos_PI2 by lra. replace (_ / _) with (PI / 4) by field. lra. }
   destruct (ratio_set ps 1 Hps Z ltac:(lra)) as (pa & pb & A1 & A2 & A3 & A4 & A5 & A6 & In).
   destruct (proj1 (proj2 (In ps Hps)) Rs) as (Pa & Pb). exists ps, pa, pb.
   assert (One : forall p, 0 < p < PI -> ratio p = 1 -> hh p = depth p).
@@ -124,10 +121,10 @@ Proof.
   destruct (half_spec (sqrt (hh pa ^ 2 + e)) ltac:(positive)) as (HA & EA). set (a := half (sqrt (_ + _))) in *.
   destruct (half_spec (sqrt z) ltac:(positive)) as (HB & EB). set (c := half (sqrt z)) in *.
   assert (EA2 : hh a ^ 2 = hh pa ^ 2 + e) by (rewrite EA, pow2_sqrt; [auto|positive]).
-  assert (EB2 : hh c ^ 2 = z) by (rewrite EB, pow2_sqrt; lra).
-  assert (La : pa < a) by (apply hh_sq; lra). assert (Lb : c < pb) by (apply hh_sq; lra).
-  set (a' := Rmin a ps). assert (Aa : pa < a' <= ps /\ a' <= a) by (unfold a', Rmin; destruct Rle_dec; lra).
-  set (c' := Rmax c ps). assert (Cc : ps <= c' < pb /\ c <= c') by (unfold c', Rmax; destruct Rle_dec; lra).
+  assert (EB2 : hh c ^ 2 = z) by (rewrite EB, pow2_sqrt; lra). assert (La : pa < a) by (apply hh_sq; lra).
+  assert (Lb : c < pb) by (apply hh_sq; lra). set (a' := Rmin a ps).
+  assert (Aa : pa < a' <= ps /\ a' <= a) by (unfold a', Rmin; destruct Rle_dec; lra). set (c' := Rmax c ps).
+  assert (Cc : ps <= c' < pb /\ c <= c') by (unfold c', Rmax; destruct Rle_dec; lra).
   assert (Ra : ratio a' < 1) by (apply In; lra). assert (Rc : ratio c' < 1) by (apply In; lra).
   set (g := Rmax (ratio ps) (Rmax (ratio a') (ratio c'))).
   assert (G : ratio ps <= g < 1 /\ ratio a' <= g /\ ratio c' <= g) by (unfold g, Rmax; repeat destruct Rle_dec; lra).

@@ -52,7 +52,8 @@ Proof.
   assert (Inc : forall p p', 0 < p < PI -> 0 < p' < PI -> p < p' -> level p < level p').
   { intros p p' Hp Hp' Lt. apply Rmult_lt_compat_l, Rplus_lt_compat_l, Rmult_lt_compat_l, hh_sq; auto. }
   assert (Le : forall p p', 0 < p < PI -> 0 < p' < PI -> (level p <= level p' <-> p <= p')).
-  { intros p p' Hp Hp'. destruct (Rtotal_order p p') as [L|[->|L]]; [|lra|]; apply Inc in L; auto; lra. }
+  { intros p p' Hp Hp'. pose proof (Inc p p' Hp Hp'). pose proof (Inc p' p Hp' Hp).
+    destruct (Rtotal_order p p') as [L|[->|L]]; split; lra. }
   split.
   { unfold level. pose proof (pow_lt _ 2 (hh_pos pl ltac:(lra))) as P.
     pose proof (Rmult_lt_0_compat _ _ E0 (Rmult_lt_0_compat _ _ Q0 P)). lra. }
@@ -70,7 +71,8 @@ Proof.
   { intros Low. apply (stays_above m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H En0); [|repeat split; auto; lra|fold En0; lra].
     intros k te p t Hk Te Hp HR En F. pose proof (first_reentry_in _ _ _ _ _ _ F) as (T1 & Ev1 & _).
     apply Rnot_le_lt. intros N. pose proof (proj2 (sticks_iff m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t ltac:(lra) Ev1) N) as St.
-    pose proof (proj1 (proj1 (A8 p Hp)) (proj1 (Iff' k te p t Hk Te Hp HR F) St)) as In. pose proof (proj2 (Le pl p ltac:(lra) Hp) (proj1 In)).
+    pose proof (proj1 (proj1 (A8 p Hp)) (proj1 (Iff' k te p t Hk Te Hp HR F) St)) as In.
+    pose proof (proj2 (Le pl p ltac:(lra) Hp) (proj1 In)).
     rewrite (ray_energy m1 m2 a2 b H1 H2 Ha k (hh p) x v1 v2 te Hk HR) in En. fold q Ec in En. unfold level in *. lra. }
   destruct (round m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t0 (conj Ht (conj Ev (conj Hx HE))))
     as (k & te & p & t & Hk & Te & Hp & En & St & HR & F & Tt).
@@ -78,8 +80,8 @@ Proof.
     as (Sg & Ev1 & Ex & _ & Iff & Dp).
   specialize (Iff' k te p t Hk ltac:(lra) Hp HR F). specialize (T0 p ltac:(lra)).
   assert (Between : hh p ^ 2 <= r * depth p ^ 2 <-> level pl <= En0 <= level pu).
-  { rewrite (proj1 (A8 p Hp)). unfold En0. rewrite En. change (Ecr m1 m2 a2 b * (1 + m1 / (m1 + m2) * hh p ^ 2)) with (level p).
-    rewrite !Le by lra. tauto. }
+  { rewrite (proj1 (A8 p Hp)). unfold En0. rewrite En.
+    change (Ecr m1 m2 a2 b * (1 + m1 / (m1 + m2) * hh p ^ 2)) with (level p). rewrite !Le by lra. tauto. }
   exists te, (te + 2 * p / o1 m1 a2), t. split; [lra|]. split; [lra|]. split; [exact St|]. split;
     [|split; [auto|split]].
   - intros t' Ht' E. specialize (Sg t' Ht'). rewrite E in Sg. lra.

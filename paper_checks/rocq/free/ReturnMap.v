@@ -7,8 +7,7 @@ Definition depth p := 2 * (sin p - p * cos p) / sin p.       (* c = 2 - theta co
 
 Lemma hh_h p : 0 < p < PI -> hh p = h (2 * p).
 Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). unfold hh, h. rewrite cos_2a_sin, sin_2a. field.
-  nra.
+  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). unfold hh, h. rewrite cos_2a_sin, sin_2a. field. nra.
 Qed.
 Lemma hh_incr p q : 0 < p -> p < q -> q < PI -> hh p < hh q.
 Proof. intros. rewrite !hh_h by lra. apply h_increases; lra. Qed.
@@ -18,8 +17,8 @@ Proof. intros Hp. apply Rdiv_lt_0_compat; [apply A_pos; auto|]. apply pow_lt, si
 Lemma hh_sq p q : 0 < p < PI -> 0 < q < PI -> (hh p ^ 2 < hh q ^ 2 <-> p < q).
 Proof.
   intros Hp Hq. pose proof (hh_pos p Hp). pose proof (hh_pos q Hq). destruct (Rtotal_order p q) as [L|[->|L]]; [|lra|];
-    [pose proof (hh_incr p q (proj1 Hp) L (proj2 Hq))|pose proof (hh_incr q p (proj1 Hq) L (proj2 Hp))];
-    split; intros; nra.
+    [pose proof (hh_incr p q (proj1 Hp) L (proj2 Hq))|pose proof (hh_incr q p (proj1 Hq) L (proj2 Hp))]; split; intros;
+    nra.
 Qed.
 Lemma depth_pos p : 0 < p < PI -> 0 < depth p.
 Proof. intros Hp. apply Rdiv_lt_0_compat; [pose proof (g_pos p Hp); lra|apply sin_gt_0; lra]. Qed.
@@ -36,10 +35,9 @@ Theorem depth_upper p : 0 < p < PI -> depth p <= 3 / 2 * hh p ^ 2.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (depth_above p ltac:(lra)) as Q.
   unfold depth, hh. apply Rmult_le_reg_r with (2 * sin p ^ 4). { positive. }
-  replace (2 * (sin p - p * cos p) / sin p * (2 * sin p ^ 4)) with (4 * (sin p - p * cos p) * sin p ^ 3) by
-    (field; lra).
-  replace (3 / 2 * ((p - sin p * cos p) / sin p ^ 2) ^ 2 * (2 * sin p ^ 4)) with (3 * (p - sin p * cos p) ^ 2) by
-    (field; lra). auto.
+  replace (2 * (sin p - p * cos p) / sin p * (2 * sin p ^ 4)) with (4 * (sin p - p * cos p) * sin p ^ 3) by (field;
+    lra). replace (3 / 2 * ((p - sin p * cos p) / sin p ^ 2) ^ 2 * (2 * sin p ^ 4)) with (3 * (p - sin p * cos p) ^ 2)
+    by (field; lra). auto.
 Qed.
 
 (** [depth-lower] The depth of an excursion is at least $\tfrac{3}{2}(\sin\varphi/\varphi)^6h^2$. *)
@@ -150,8 +148,8 @@ Qed.
 (** the level tends to 0, as 1/y gains a fixed amount *)
 Theorem y_to_zero : is_lim_seq y 0.
 Proof.
-  set (al := kappa * si 0%nat ^ 12). assert (Hal : 0 < al).
-  { apply Rmult_lt_0_compat; [unfold kappa; lra|apply pow_lt, sinc_pos; auto]. }
+  set (al := kappa * si 0%nat ^ 12).
+  assert (Hal : 0 < al) by (apply Rmult_lt_0_compat; [unfold kappa; lra|apply pow_lt, sinc_pos; auto]).
   assert (L : is_lim_seq (fun n => / y n) p_infty).
   { apply is_lim_seq_le_p_loc with (fun n => INR n * al).
     - exists 0%nat. intros n _. pose proof (y_bound n) as Q. fold al in Q.

@@ -55,8 +55,7 @@ Proof.
       replace (q * (w / q)) with w by (field; lra). auto. }
     nra.
   - fold M r. rewrite Hh, U2. apply Rmult_lt_compat_r with (r := 9 / 4 * r / q) in Sm2; [|positive].
-    replace (4 * q / (9 * r) * (9 / 4 * r / q)) with 1 in Sm2 by (field; split; lra).
-      lra.
+    replace (4 * q / (9 * r) * (9 / 4 * r / q)) with 1 in Sm2 by (field; split; lra). lra.
 Qed.
 
 (** [arc-to-left-ray] On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left
@@ -83,7 +82,8 @@ Lemma to_ray_side k y w1 w2 z t u : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b y w
 Proof.
   intros Hk S Ht Ev Hx Hv Hu En.
   destruct (to_ray_left _ _ _ _ t u (sided m1 m2 a2 b k _ _ _ _ Hk S) Ht) as (t2 & A & B & C); auto.
-  { rewrite Ev. reflexivity. } { destruct Hk; subst k; lra. } { rewrite <- En. unfold energy. destruct Hk; subst k; field. }
+  { rewrite Ev. reflexivity. }
+    { destruct Hk; subst k; lra. } { rewrite <- En. unfold energy. destruct Hk; subst k; field. }
   exists t2. split; [auto|]. split; [unfold on_ray in *; lra|]. intros t' Ht'. specialize (C t' Ht').
   destruct Hk; subst k; lra.
 Qed.
@@ -98,11 +98,10 @@ Proof.
   intros Ht Ev Hx Hu En. destruct (Rtotal_order (v1 t) 0) as [N|[Z|P]].
   - destruct (to_ray_left x v1 v2 s t u H) as (t2 & A); auto. exists (-1), t2. tauto.
   - pose proof (Rmult_lt_0_compat _ _ E0 (Rmult_lt_0_compat _ _ q_pos (pow_lt _ 2 Hu))) as Q.
-    assert (HE : Ecr < E t) by lra.
-    unfold E, en, energy in HE. rewrite <- Ev in HE. unfold Ecr in HE. rewrite Ecr_L in HE by auto. fold L in HE.
-    assert (x t ^ 2 <= L ^ 2) by nra. nra.
-  - destruct (to_ray_side (-1) x v1 v2 s t u ltac:(auto) H) as (t2 & A); auto; [lra|]. replace (- -1) with 1 in A by ring.
-    exists 1, t2. tauto.
+    assert (HE : Ecr < E t) by lra. unfold E, en, energy in HE. rewrite <- Ev in HE. unfold Ecr in HE.
+    rewrite Ecr_L in HE by auto. fold L in HE. assert (x t ^ 2 <= L ^ 2) by nra. nra.
+  - destruct (to_ray_side (-1) x v1 v2 s t u ltac:(auto) H) as (t2 & A); auto; [lra|].
+    replace (- -1) with 1 in A by ring. exists 1, t2. tauto.
 Qed.
 End Ray.
 
@@ -134,8 +133,8 @@ Proof.
   pose proof (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk T0 Hp HR) as NM.
   split; [exact NM|]. split; [|exact (sharp_from_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk T0 Hp HR)].
   destruct (dichotomy m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) as [(tm & x0 & v0 & Hm & He & K)|(x0 & v0 & He & _ & K)].
-  - specialize (NM tm Hm). destruct (K 0 ltac:(lra)) as (K1 & K2 & K3). rewrite Rplus_0_r in K1, K2, K3.
-    cbv beta in NM. rewrite K1, K2, K3, ellipse_energy in NM by auto. lra.
+  - specialize (NM tm Hm). destruct (K 0 ltac:(lra)) as (K1 & K2 & K3). rewrite Rplus_0_r in K1, K2, K3. cbv beta in NM.
+    rewrite K1, K2, K3, ellipse_energy in NM by auto. lra.
   - exists x0, v0. split; [exact He|exact K].
 Qed.
 
@@ -155,74 +154,60 @@ Proof.
   assert (HE : Ecr < en (x t0) (v1 t0) (v2 t0)) by nra.
   assert (Sm : small (en (x t0) (v1 t0) (v2 t0))) by (apply small_simple; rewrite EW; apply Rmult_le_compat_l; lra).
   destruct (start x v1 v2 s t0 H Ht Ev Hx HE Sm) as (k & t1 & p & Hk & T1 & Hp & HR & EP).
-  pose proof (ok_pi m1 m2 p Hp) as Pp. pose proof (hh_pos p Pp) as H0.
-  assert (W0 : w0 = q * hh p ^ 2) by nra.
+  pose proof (ok_pi m1 m2 p Hp) as Pp. pose proof (hh_pos p Pp) as H0. assert (W0 : w0 = q * hh p ^ 2) by nra.
   assert (Y0 : hh p ^ 2 = w0 / q) by (rewrite W0; field; lra). assert (De : 6 * sqrt q * hh p = 6 * sqrt w0).
   { rewrite W0, sqrt_mult_alt by lra. rewrite <- Rsqr_pow2, sqrt_Rsqr by lra. ring. }
   pose proof (sqrt_pos w0) as S0.
   (* the constant of the lower bound *)
-  set (sg := 1 - 3 / 8 * w0 / q). assert (Wq : w0 / q <= 4 / 9) by nra.
-  assert (Sg : 0 <= sg <= sin p / p).
+  set (sg := 1 - 3 / 8 * w0 / q). assert (Wq : w0 / q <= 4 / 9) by nra. assert (Sg : 0 <= sg <= sin p / p).
   { assert (Es : sg = 1 - 3 / 8 * hh p ^ 2) by (rewrite Y0; unfold sg; field; lra). split; [rewrite Es, Y0; lra|].
     pose proof (sin_above p ltac:(lra)) as Sa. pose proof (hh_below p Pp) as Hbl.
     assert (p ^ 2 <= (3 / 2 * hh p) ^ 2) by (apply pow_incr; lra). undivide p.
-    apply Rle_trans with (p - p ^ 3 / 6); auto.
-      replace (p - p ^ 3 / 6) with ((1 - p ^ 2 / 6) * p) by field. scale. }
-  assert (Sg12 : sg ^ 12 <= (sin p / p) ^ 12) by (apply pow_incr; auto).
-  assert (K0 : 0 < K) by positive.
+    apply Rle_trans with (p - p ^ 3 / 6); auto. replace (p - p ^ 3 / 6) with ((1 - p ^ 2 / 6) * p) by field. scale. }
+  assert (Sg12 : sg ^ 12 <= (sin p / p) ^ 12) by (apply pow_incr; auto). assert (K0 : 0 < K) by positive.
   assert (Kq : 9 / 4 * r = q * K) by (unfold K, q, r, M; field; lra).
   assert (KY : q * K * (w0 / q) = K * w0) by (field; lra). assert (KW : K * w0 < 1).
-  { pose proof (qr_one m1 m2 Hm1 Hm2) as QR. fold M q r in QR. rewrite <- KY, <- Kq.
-    assert (r * (w0 / q) <= r * (4 / 9)) by scale. lra. }
-  assert (Sg0 : 0 <= K * sg ^ 12) by (apply Rmult_le_pos; [lra|apply pow_le; lra]).
-  assert (KK : 0 < K / (1 - K * w0)) by positive.
-  assert (OP : om * (PI / om) = PI) by (field; lra).
+  { pose proof (qr_one m1 m2 Hm1 Hm2) as QR. fold M q r in QR. rewrite <- KY, <- Kq. nra. }
+  set (c := K * sg ^ 12). assert (C0 : 0 <= c) by (apply Rmult_le_pos; [lra|apply pow_le; lra]).
+  set (A := K / (1 - K * w0)). assert (KK : 0 < A) by (apply Rdiv_lt_0_compat; lra).
   pose proof (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) Hp HR t ltac:(lra)) as N.
-    fold en Ecr in N.
-  assert (EWt : en (x t) (v1 t) (v2 t) = Ecr * (1 + w t)) by (unfold w; field; lra).
+  fold en Ecr in N. assert (EWt : en (x t) (v1 t) (v2 t) = Ecr * (1 + w t)) by (unfold w; field; lra).
   assert (Wt : 0 < w t) by (apply Rmult_lt_reg_l with Ecr; lra). assert (Wd : w t <= w0).
-  { apply Rmult_le_reg_l with Ecr; auto.
-    pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t0 t ltac:(lra)) as F. fold en in F.
-    lra. }
-  assert (Id : / w0 <= / w t) by (apply Rinv_le_contravar; auto). set (n0 := om * (t - t0) / (PI + 6 * sqrt w0) - 2).
-  assert (N0 : n0 * (PI + 6 * sqrt w0) = om * (t - t0) - 2 * (PI + 6 * sqrt w0)) by (unfold n0; field; lra).
-  assert (ToT : om * (t1 - t0) <= PI) by (rewrite <- OP; apply Rmult_le_compat_l; lra).
-  assert (Neg : n0 <= 0 -> K * sg ^ 12 * n0 <= 0) by (intros; rewrite <- (Rmult_0_r (K * sg ^ 12));
-    apply Rmult_le_compat_l; lra).
-  destruct (Rle_dec t1 t) as [G|G].
-  - (* after the first exit *)
+  { apply Rmult_le_reg_l with Ecr; auto. pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t0 t ltac:(lra)) as F.
+    fold en in F. lra. }
+  assert (Id : / w0 <= / w t) by (apply Rinv_le_contravar; auto).
+  assert (ToT : om * (t1 - t0) <= PI) by (replace PI with (om * (PI / om)) by (field; lra); scale; lra).
+  set (T := PI + 6 * sqrt w0). set (T' := PI - 6 * sqrt w0).
+  (* from the first exit on *)
+  assert (Ray : t1 <= t -> / w0 + K * (sin p / p) ^ 12 * (om * (t - t1) / T - 1) <= / w t /\ (0 < T' -> / w t <= / w0 +
+    A * (om * (t - t1) / T' + 1))).
+  { intros G.
     destruct (two_sided_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) Hp HR t G) as (Lo & Up).
     change (orb m1 m2 p 0) with p in Lo, Up. fold om M in Lo, Up. fold q r in Lo, Up. fold Ecr in Lo, Up.
-      rewrite De, Kq, Y0 in Lo, Up.
+    rewrite De, Kq, Y0 in Lo, Up. rewrite KY in Up. fold T T' in Lo, Up.
     change (energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr - 1) with (w t) in Lo, Up.
     replace (/ (w0 / q)) with (q * / w0) in Lo, Up by (field; lra).
-      replace (/ (w t / q)) with (q * / w t) in Lo, Up by (field; lra).
-    split.
-    + destruct (Rle_dec 0 n0) as [Z|Z]; [|specialize (Neg ltac:(lra)); lra].
-      apply Rmult_le_reg_l with q; auto. apply Rle_trans with (2 := Lo). rewrite Rmult_plus_distr_l.
-        apply Rplus_le_compat_l.
-      assert (Nn : n0 <= om * (t - t1) / (PI + 6 * sqrt w0) - 1).
-      { apply Rmult_le_reg_r with (PI + 6 * sqrt w0); [lra|].
-        replace ((om * (t - t1) / (PI + 6 * sqrt w0) - 1) * (PI + 6 * sqrt w0)) with (om * (t - t1) - PI - 6 *
-          sqrt w0) by (field; lra). lra. }
-      replace (q * (K * sg ^ 12 * n0)) with (q * K * (sg ^ 12 * n0)) by ring. rewrite (Rmult_assoc (q * K)).
-      apply Rmult_le_compat_l; [positive|]. apply Rmult_le_compat; auto. apply pow_le; lra.
-    + intros Hd. specialize (Up Hd ltac:(rewrite KY; auto)). apply Rmult_le_reg_l with q; auto.
-      apply Rle_trans with (1 := Up). rewrite (Rmult_plus_distr_l q (/ w0)). apply Rplus_le_compat_l.
-      replace (q * K * (w0 / q)) with (K * w0) by (field; lra).
-      replace (q * K / (1 - K * w0)) with (q * (K / (1 - K * w0))) by (field; lra). rewrite Rmult_assoc.
-      apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; [lra|]. apply Rplus_le_compat_r.
-      apply Rmult_le_compat_r; [positive|]. scale.
-  - (* on the first ellipse *)
-    assert (Tt : om * (t - t0) <= om * (t1 - t0)) by scale.
-    assert (Nn : n0 <= 0) by (apply Rmult_le_reg_r with (PI + 6 * sqrt w0); [lra|]; rewrite N0, Rmult_0_l; lra).
-    split; [specialize (Neg Nn); lra|]. intros Hd. assert (W1 : w0 <= w t).
-    { apply Rmult_le_reg_l with Ecr; auto.
-      pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t t1 ltac:(lra)) as F. fold en in F.
-      pose proof (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 k (hh p) x v1 v2 t1 Hk HR) as RE. fold en M q Ecr in RE.
-        lra. }
-    assert (/ w t <= / w0) by (apply Rinv_le_contravar; lra).
-    assert (0 <= K / (1 - K * w0) * (om * (t - t0) / (PI - 6 * sqrt w0) + 1)) by positive. lra.
+    replace (/ (w t / q)) with (q * / w t) in Lo, Up by (field; lra). split; [|intros Hd; specialize (Up ltac:(unfold T'
+      in Hd; lra) KW)]; apply Rmult_le_reg_l with q; auto; [|unfold A]; lra. }
+  split.
+  - set (n0 := om * (t - t0) / T - 2). assert (N0 : n0 * T = om * (t - t0) - 2 * T) by (unfold n0, T; field; lra).
+    destruct (Rle_dec n0 0) as [Np|Np]; [assert (0 <= c * - n0) by positive; lra|].
+    assert (0 < n0 * T) by (apply Rmult_lt_0_compat; unfold T; lra).
+    destruct Ray as (Lo & _); [apply Rmult_le_reg_l with om; auto; unfold T in *; lra|].
+    assert (N1 : (om * (t - t1) / T - 1 - n0) * T = T - om * (t1 - t0)) by (unfold n0, T; field; lra).
+    set (n1 := om * (t - t1) / T - 1) in *. assert (0 <= n1 - n0) by (unfold T in *; nra).
+    assert (c * n0 <= K * (sin p / p) ^ 12 * n1) by (apply Rmult_le_compat; try lra; scale). lra.
+  - intros Hd. assert (T0 : 0 < T') by (unfold T'; lra). destruct (Rle_dec t1 t) as [G|G].
+    + destruct (Ray G) as (_ & Up). specialize (Up T0).
+      assert (om * (t - t1) / T' <= om * (t - t0) / T') by (apply Rmult_le_compat_r; [positive|scale; lra]).
+      assert (A * (om * (t - t1) / T' + 1) <= A * (om * (t - t0) / T' + 1)) by (apply Rmult_le_compat_l; lra). lra.
+    + (* on the first ellipse *)
+      assert (W1 : w0 <= w t).
+      { apply Rmult_le_reg_l with Ecr; auto.
+        pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t t1 ltac:(lra)) as F. fold en in F.
+        pose proof (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 k (hh p) x v1 v2 t1 Hk HR) as RE. fold en M q Ecr in RE. lra. }
+      assert (/ w t <= / w0) by (apply Rinv_le_contravar; lra). assert (0 <= om * (t - t0)) by positive.
+      assert (0 <= A * (om * (t - t0) / T' + 1)) by positive. lra.
 Qed.
 
 (** *** Every solution that never merges comes back to S0 slightly above E_cr *)

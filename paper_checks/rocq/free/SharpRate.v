@@ -116,8 +116,8 @@ Lemma tm_inf : is_lim_seq tm p_infty.
 Proof.
   apply is_lim_seq_ext_loc with (fun n => INR n * (tm n / INR n)).
   { exists 1%nat. intros n Hn. field. apply not_0_INR. lia. }
-  apply is_lim_seq_mult with p_infty (PI / om); [apply is_lim_seq_INR|apply time_rate|].
-  apply is_Rbar_mult_p_infty_pos. apply Rdiv_lt_0_compat; auto. apply PI_RGT_0.
+  apply is_lim_seq_mult with p_infty (PI / om); [apply is_lim_seq_INR|apply time_rate|]. apply is_Rbar_mult_p_infty_pos.
+  apply Rdiv_lt_0_compat; auto. apply PI_RGT_0.
 Qed.
 Lemma tm_above B : exists n, B < tm n.
 Proof. pose proof tm_inf as T. apply is_lim_seq_spec in T. destruct (T B) as (n & K). exists n. apply K; auto. Qed.
@@ -143,9 +143,9 @@ Qed.
 (** every later time lies in some cycle *)
 Lemma in_cycle N t : tm N <= t -> exists n, (N <= n)%nat /\ tm n <= t <= tm (S n).
 Proof.
-  intros HN. destruct (tm_above t) as (n & Hn). apply (bracket N n); auto.
-  assert (Mo : forall i j, tm i <= tm (j + i)). { induction j; [change (0 + i)%nat with i; lra|].
-    change (S j + i)%nat with (S (j + i)). pose proof (tm_up (j + i)). lra. }
+  intros HN. destruct (tm_above t) as (n & Hn). apply (bracket N n); auto. assert (Mo : forall i j, tm i <= tm (j + i)).
+  { induction j; [change (0 + i)%nat with i; lra|]. change (S j + i)%nat with (S (j + i)). pose proof (tm_up (j + i)).
+    lra. }
   pose proof (Mo n N). lra.
 Qed.
 
@@ -170,13 +170,12 @@ Proof.
     assert (0 < M) by positive. field. repeat split; lra. }
   apply is_lim_spec. intros eps. assert (C0 : 0 < Ecr * q) by positive.
   assert (He : 0 < eps / (Ecr * q)) by (apply Rdiv_lt_0_compat; [apply cond_pos|auto]).
-  apply is_lim_seq_spec in Up. apply is_lim_seq_spec in Lo.
-  destruct (Up (mkposreal _ He)) as (N1 & K1). destruct (Lo (mkposreal _ He)) as (N2 & K2). simpl in K1, K2.
-  exists (tm (Nat.max N1 N2)). intros t Hlt. destruct (in_cycle (Nat.max N1 N2) t ltac:(lra)) as (n & Hn & Hb1 & Hb2).
-  specialize (K1 n ltac:(lia)). specialize (K2 n ltac:(lia)). pose proof (tm_from n) as T0.
-    pose proof (y_plus n) as Y0. pose proof (y_plus (S n)) as Y1.
-  pose proof (E_falls (tm n) t ltac:(lra)) as F1. pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2.
-    rewrite exit_level in F1, F2.
+  apply is_lim_seq_spec in Up. apply is_lim_seq_spec in Lo. destruct (Up (mkposreal _ He)) as (N1 & K1).
+  destruct (Lo (mkposreal _ He)) as (N2 & K2). simpl in K1, K2. exists (tm (Nat.max N1 N2)). intros t Hlt.
+  destruct (in_cycle (Nat.max N1 N2) t ltac:(lra)) as (n & Hn & Hb1 & Hb2). specialize (K1 n ltac:(lia)).
+  specialize (K2 n ltac:(lia)). pose proof (tm_from n) as T0. pose proof (y_plus n) as Y0.
+  pose proof (y_plus (S n)) as Y1. pose proof (E_falls (tm n) t ltac:(lra)) as F1.
+  pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2. rewrite exit_level in F1, F2.
   apply Rabs_def2 in K1. apply Rabs_def2 in K2. assert (B1 : t * (E t - Ecr) <= Ecr * q * (tm (S n) * y n)).
   { apply Rle_trans with (t * (Ecr * q * y n)); [scale|].
     replace (Ecr * q * (tm (S n) * y n)) with (tm (S n) * (Ecr * q * y n)) by ring. apply Rmult_le_compat_r; auto.
@@ -196,15 +195,14 @@ Theorem between a Tu t : 0 <= a -> (forall n, a <= / y (S n) - / y n) -> (forall
   / ((E t / Ecr - 1) / q) <= / y 0 + A * (om * (t - t0) / Tl + 1).
 Proof.
   intros Ha Gain Time Hu. destruct (in_cycle 0 t Hu) as (n & _ & B1 & B2). pose proof Ecr_pos as E0.
-  pose proof (y_plus (S n)) as Y1. pose proof (tm_from n) as T0.
-  pose proof (E_falls (tm n) t ltac:(lra)) as F1. pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2.
-    rewrite exit_level in F1, F2.
+  pose proof (y_plus (S n)) as Y1. pose proof (tm_from n) as T0. pose proof (E_falls (tm n) t ltac:(lra)) as F1.
+  pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2. rewrite exit_level in F1, F2.
   set (yt := (E t / Ecr - 1) / q). assert (EY : E t = Ecr * (1 + q * yt)) by (unfold yt; field; lra).
   rewrite EY in F1, F2. apply Rmult_le_reg_l in F1; auto. apply Rmult_le_reg_l in F2; auto.
   assert (G1 : yt <= y n) by (apply Rmult_le_reg_l with q; [auto|lra]).
-    assert (G2 : y (S n) <= yt) by (apply Rmult_le_reg_l with q; [auto|lra]).
+  assert (G2 : y (S n) <= yt) by (apply Rmult_le_reg_l with q; [auto|lra]).
   assert (I1 : / y n <= / yt) by (apply Rinv_le_contravar; lra).
-    assert (I2 : / yt <= / y (S n)) by (apply Rinv_le_contravar; lra). split.
+  assert (I2 : / yt <= / y (S n)) by (apply Rinv_le_contravar; lra). split.
   - assert (Gains : forall i, / y 0 + INR i * a <= / y i).
     { induction i as [|i IH]; [simpl INR; lra|]. rewrite S_INR. specialize (Gain i). lra. }
     assert (Times : forall i, om * (tm i - t0) <= INR i * Tu).
@@ -227,8 +225,7 @@ Lemma y_below n : y n <= y 0.
 Proof. induction n; [lra|]. pose proof (ReturnMap.y_falls r r_pos ph ph_pi y_step n) as F. unfold y in *. lra. Qed.
 Lemma push_below n : hh (ph n) <= hh p.
 Proof.
-  pose proof (y_below n) as Y. unfold y in Y.
-  pose proof (hh_pos _ (ph_pi 0)) as P0. change (ph 0) with p in *. nra.
+  pose proof (y_below n) as Y. unfold y in Y. pose proof (hh_pos _ (ph_pi 0)) as P0. change (ph 0) with p in *. nra.
 Qed.
 (** with simple constants *)
 Theorem two_sided_ray t : let del := 6 * sqrt q * hh p in let kap := 9 / 4 * r in t0 <= t ->

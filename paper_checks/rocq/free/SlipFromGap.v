@@ -12,17 +12,16 @@ Lemma ct_falls p q : 0 < p -> p < q -> q < PI -> ct q < ct p.
 Proof.
   intros. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin_gt_0 q ltac:(lra) ltac:(lra)) as S'.
   assert (E : ct p - ct q = sin (q - p) / (sin p * sin q)). { rewrite sin_minus. unfold ct. field. lra. }
-  assert (0 < sin (q - p) / (sin p * sin q)).
-    { apply Rdiv_lt_0_compat; [apply sin_gt_0; lra|apply Rmult_lt_0_compat; auto]. }
-  lra.
+  assert (0 < sin (q - p) / (sin p * sin q)) by (apply Rdiv_lt_0_compat; [apply sin_gt_0; lra|apply Rmult_lt_0_compat;
+    auto]). lra.
 Qed.
 Lemma ct_atan c : ct (PI / 2 - atan c) = c.
 Proof. unfold ct. rewrite sin_shift, cos_shift. apply tan_atan. Qed.
 (** h - d cot increases from -oo to +oo: one root *)
 Lemma push_incr d p q : 0 <= d -> 0 < p -> p < q -> q < PI -> push d p < push d q.
 Proof.
-  intros Hd H0 Hpq Hq. pose proof (hh_incr p q H0 Hpq Hq). pose proof (ct_falls p q H0 Hpq Hq).
-  unfold push. assert (d * ct q <= d * ct p) by nra. lra.
+  intros Hd H0 Hpq Hq. pose proof (hh_incr p q H0 Hpq Hq). pose proof (ct_falls p q H0 Hpq Hq). unfold push.
+  assert (d * ct q <= d * ct p) by nra. lra.
 Qed.
 (** what is below u at one angle is u at another *)
 Lemma push_ex d u p0 : 0 < p0 < PI -> push d p0 < u -> {p | 0 < p < PI /\ push d p = u}.
@@ -47,8 +46,8 @@ Proof.
     assert (0 < atan c) by (rewrite <- atan_0; apply atan_increasing; auto). set (p0 := PI / 2 - atan c).
     destruct (push_ex d u p0) as (p & P); [unfold p0; lra| |exists p; auto].
     assert (hh p0 < hh (PI / 2)) as Hh by (apply hh_incr; unfold p0; lra).
-    replace (hh (PI / 2)) with (PI / 2) in Hh by (unfold hh; rewrite sin_PI2, cos_PI2; field).
-    unfold push. unfold p0 at 2. rewrite ct_atan. lra. }
+    replace (hh (PI / 2)) with (PI / 2) in Hh by (unfold hh; rewrite sin_PI2, cos_PI2; field). unfold push.
+    unfold p0 at 2. rewrite ct_atan. lra. }
   destruct Ex as (p & Hp & E). exists p. split; [auto|]. intros p' (Hp' & E').
   destruct (Rtotal_order p p') as [Lt|[|Gt]]; auto; exfalso.
   - pose proof (push_incr d p p' ltac:(lra) ltac:(lra) Lt ltac:(lra)). lra.
@@ -65,8 +64,7 @@ Proof.
   replace ((2 * p - ((p - sin p * cos p) / sin p ^ 2 - d * (cos p / sin p))) * sin p ^ 2)
     with (2 * p * (sin p * sin p) - (p - sin p * cos p) + d * cos p * sin p) by (field; lra).
   replace (((p - sin p * cos p) / sin p ^ 2 + cos p / sin p * (2 * (sin p - p * cos p) / sin p + d)) * sin p ^ 2)
-    with (p - sin p * cos p + 2 * cos p * sin p - 2 * p * (cos p * cos p) + d * cos p * sin p) by (field; lra).
-  nra.
+    with (p - sin p * cos p + 2 * cos p * sin p - 2 * p * (cos p * cos p) + d * cos p * sin p) by (field; lra). nra.
 Qed.
 
 Section Gap.
@@ -175,8 +173,8 @@ Proof.
     assert (T0 : 0 < 2 * p / o1) by positive.
   assert (F : forall u, 0 <= u <= 2 * p / o1 -> k * x (t0 + u) = Gx d (push d p) u /\
     k * v1 (t0 + u) = G1 d (push d p) u /\ k * v2 (t0 + u) = G2 (push d p) u).
-  { destruct HG as (Ex & Ey & Ez).
-    apply (follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb _ _ _ _ _ _ _ _ _ t0 (sided m1 m2 a2 b k _ _ _ _ Hk H) (gap_arc d p Hd Hp) Ht).
+  { destruct HG as (Ex & Ey & Ez). apply (follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb _ _ _ _ _ _ _ _ _ t0 (sided m1 m2 a2 b k _ _
+      _ _ Hk H) (gap_arc d p Hd Hp) Ht).
     - rewrite Ex. unfold Gx. rewrite Rmult_0_r, cos_0, sin_0. unfold L, Stick.L, q, M. field. lra.
     - rewrite Ey. unfold G1, ray, Cycle.ray. fold o1. rewrite Rmult_0_r, cos_0, sin_0. ring.
     - rewrite Ez. unfold G2, ray, Cycle.ray. fold o1. ring. }
@@ -212,15 +210,14 @@ Theorem crossing k x v1 v2 s t0 d p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x
     (forall t, t1 < t < t1 + 2 * p' / o1 -> k * v2 t < k * v1 t) /\ v1 (t1 + 2 * p' / o1) = v2 (t1 + 2 * p' / o1).
 Proof.
   intros Hk H Ht Hd Hp HG HD t1 d' u'. assert (O : 0 < o1) by (apply o1_pos; auto).
-    assert (T0 : 0 < 2 * p / o1) by positive.
+  assert (T0 : 0 < 2 * p / o1) by positive.
   destruct (gap_slip k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & Sg & A & B & C & _). fold t1 in Sg, A, B, C.
   assert (D0 : 0 < d') by positive. assert (U : u' = hh p + ct p * (depth p + d)) by (apply next_push; auto).
   assert (Q0 : 0 < q) by positive. assert (G : at_gap (- k) d' u' x v1 v2 t1).
-  { rewrite <- U in B, C. split; [|split; lra].
-    replace (- k * x t1) with (- (k * x t1)) by ring. rewrite A. unfold d'. field. lra. }
-  assert (Hk' : - k = 1 \/ - k = -1) by lra.
-  repeat (split; [auto; fail|]). destruct (push_root d' u' D0) as (p' & (Hp' & E) & Un). exists p'.
-    split; [auto|]. split; [auto|]. split.
+  { rewrite <- U in B, C. split; [|split; lra]. replace (- k * x t1) with (- (k * x t1)) by ring. rewrite A. unfold d'.
+    field. lra. }
+  assert (Hk' : - k = 1 \/ - k = -1) by lra. repeat (split; [auto; fail|]).
+  destruct (push_root d' u' D0) as (p' & (Hp' & E) & Un). exists p'. split; [auto|]. split; [auto|]. split.
   - symmetry. apply Un; auto.
   - rewrite <- E in G. destruct (gap_slip (- k) x v1 v2 s t1 d' p' Hk' H ltac:(unfold t1;
     lra) ltac:(lra) Hp' G) as (_ & S2 & _ & B2 & C2 & _).
@@ -233,9 +230,8 @@ End Gap.
 Lemma inv_sin2 p : 0 < p < PI -> 1 + ct p ^ 2 = / sin p ^ 2.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC.
-    unfold Rsqr in SC. unfold ct.
-  replace (1 + (cos p / sin p) ^ 2) with ((sin p * sin p + cos p * cos p) / sin p ^ 2) by (field; lra).
-    rewrite SC. lra.
+  unfold Rsqr in SC. unfold ct.
+  replace (1 + (cos p / sin p) ^ 2) with ((sin p * sin p + cos p * cos p) / sin p ^ 2) by (field; lra). rewrite SC. lra.
 Qed.
 (** 1 - h k = c (1 + k^2) / 2 *)
 Lemma half_depth p : 0 < p < PI -> depth p * (1 + ct p ^ 2) = 2 * (1 - hh p * ct p).
@@ -251,9 +247,8 @@ Lemma level_loss m1 m2 p d : 0 < m1 -> 0 < m2 -> 0 < p < PI ->
   level m1 m2 p d = push d p ^ 2 + 2 * d + m1 / (m1 + m2) * d ^ 2 - m2 / (m1 + m2) * (depth p * (depth p + 2 * d)).
 Proof.
   intros H1 H2 Hp. pose proof (half_depth p Hp) as I. unfold level, push.
-  replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra).
-  set (c := depth p) in *. set (h := hh p) in *. set (k := ct p) in *.
-  apply Rminus_diag_uniq. rewrite <- (Rmult_0_r (c + 2 * d)).
+  replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra). set (c := depth p) in *. set (h := hh p) in *.
+  set (k := ct p) in *. apply Rminus_diag_uniq. rewrite <- (Rmult_0_r (c + 2 * d)).
   replace 0 with (c * (1 + k ^ 2) - 2 * (1 - h * k)) at 1 by lra. ring.
 Qed.
 (** with no gap that of the return map *)
@@ -280,9 +275,8 @@ Theorem slip x v1 v2 s t0 p : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < 
   v1 (t0 + 2 * p / o1) = ray (hh p - 2 * p) /\ v2 (t0 + 2 * p / o1) = ray (hh p - 2 * p).
 Proof.
   intros H Ht Hp HR. apply ray_gap in HR. rewrite <- (push_0 p) in HR.
-  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb 1 x v1 v2 s t0 0 p (or_introl eq_refl) H Ht (Rle_refl 0) Hp HR)
-    as (_ & Sg & A & B & C & _).
-  pose proof (next_push 0 p Hp) as N. rewrite push_0 in N. rewrite <- N in B, C.
+  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb 1 x v1 v2 s t0 0 p (or_introl eq_refl) H Ht (Rle_refl 0) Hp HR) as (_ &
+    Sg & A & B & C & _). pose proof (next_push 0 p Hp) as N. rewrite push_0 in N. rewrite <- N in B, C.
   fold o1 in Sg, A, B, C. fold L M in A. fold q in A. unfold ray, Cycle.ray in *.
   split; [intros u Hu; specialize (Sg (t0 + u) ltac:(lra)); lra|]. repeat split; lra.
 Qed.

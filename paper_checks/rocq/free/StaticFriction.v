@@ -140,8 +140,8 @@ Context (c k : R) (Hc : 0 <= c) (Meet : v1 c = v2 c) (Hk' : k = 1 \/ k = -1) (Ed
 (** for a while the load stays well above bk *)
 Lemma load_above t : c <= t <= c + h0 -> (bs + bk) / 2 <= k * ld t.
 Proof.
-  intros Ht. pose proof (load_lip c t ltac:(lra)) as L. apply Rabs_inv in L.
-  assert (C * (t - c) <= C * h0) by nra. destruct Hk'; subst k; lra.
+  intros Ht. pose proof (load_lip c t ltac:(lra)) as L. apply Rabs_inv in L. assert (C * (t - c) <= C * h0) by nra.
+  destruct Hk'; subst k; lra.
 Qed.
 
 (** it does not slip the other way *)

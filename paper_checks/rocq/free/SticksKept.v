@@ -36,10 +36,7 @@ Qed.
 
 (** a motion of the pair with the friction bk is one with both *)
 Lemma kinetic x v1 v2 s : solution m1 m2 a1 a2 bk x v1 v2 s -> two_frictions m1 m2 a1 a2 bs bk x v1 v2 s.
-Proof.
-  intros [L P N CX CV X V W]. constructor; auto. intros r t Hr. pose proof (L r t Hr).
-  nra.
-Qed.
+Proof. intros [L P N CX CV X V W]. constructor; auto. intros r t Hr. pose proof (L r t Hr). nra. Qed.
 Lemma kinetic_until T x v1 v2 s : 0 <= T -> solution m1 m2 a1 a2 bk x v1 v2 s -> until T x v1 v2 s.
 Proof.
   intros HT H. destruct (jumping_moves _ _ _ _ _ _ Hk _ _ _ _ (kinetic _ _ _ _ H)) as [L P CX CV X V W].
@@ -52,8 +49,7 @@ Lemma launch x v1 v2 s : solution m1 m2 a1 a2 bk x v1 v2 s -> v1 0 = v2 0 -> bs 
     energy (x q) (v1 q) (v2 q) <= energy (x 0) (v1 0) (v2 0) - least_loss m1 m2 a1 a2 bs bk (energy (x 0) (v1 0) (v2 0)).
 Proof.
   intros H Meet Edge. pose proof (kinetic _ _ _ _ H) as H2. set (w := fun t => v1 t - v2 t).
-  set (E := fun t => energy (x t) (v1 t) (v2 t)).
-  set (h0 := least_slip m1 m2 a1 a2 bs bk (E 0)).
+  set (E := fun t => energy (x t) (v1 t) (v2 t)). set (h0 := least_slip m1 m2 a1 a2 bs bk (E 0)).
   pose proof (slip_pos m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ H2 : 0 < h0) as H0.
   assert (Side : exists k, (k = 1 \/ k = -1) /\ bs <= k * load (x 0) (v1 0)).
   { unfold Rabs in Edge. destruct (Rcase_abs (load (x 0) (v1 0))); [exists (-1)|exists 1]; split; auto; lra. }
@@ -107,8 +103,7 @@ Proof.
   { intros k Hk'. apply (moves_behind m1 m2 a1 a2 bs Hm1 Hm2 _ _ _ _ _ _ H 0 t k); [lra|auto|rewrite Meet; lra|].
     intros u Hu. exists 0. split; [eapply rderiv_dini; [|apply rderiv_scal, (rderiv_const 0 u)]; lra|].
     pose proof (Low u ltac:(lra)) as L. apply Rabs_def2 in L.
-    replace (m2 * _) with (k * load (x u) (v1 u) * (m1 + m2)) by (unfold load, stick_load; field; lra).
-    nra. }
+    replace (m2 * _) with (k * load (x u) (v1 u) * (m1 + m2)) by (unfold load, stick_load; field; lra). nra. }
   pose proof (Key 1 ltac:(auto)). pose proof (Key (-1) ltac:(auto)). lra.
 Qed.
 
@@ -133,22 +128,23 @@ Lemma loss_less e e' : 0 <= e <= e' -> least_loss m1 m2 a1 a2 bs bk e' <= least_
 Proof.
   intros He. assert (Mp : 0 < m2 / (m1 + m2)) by positive.
   assert (Rt : forall c, 0 < c -> 0 <= sqrt (2 * e / c) <= sqrt (2 * e' / c)).
-  { split; [apply sqrt_pos|]. apply sqrt_le_1_alt. apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|lra]. }
+  { split; [apply sqrt_pos|]. apply sqrt_le_1_alt.
+    apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|lra]. }
   pose proof (Rt m1 Hm1) as R1. pose proof (Rt a2 Ha2) as R2.
   assert (Ld : 0 <= load_rate m1 m2 a1 a2 bs e <= load_rate m1 m2 a1 a2 bs e').
-  { assert (I : 0 < / m1) by positive. assert (S1 : 0 <= a2 * sqrt (2 * e / m1) <= a2 * sqrt (2 * e' / m1)) by nra. assert (S2 : 0 <= a2 * sqrt (2 * e / a2) <= a2 * sqrt (2 * e' / a2)) by nra. assert (S3 : 0 <= a1 * sqrt (2 * e / m1) <= a1 * sqrt (2 * e' / m1)) by nra.
+  { assert (I : 0 < / m1) by positive. assert (S1 : 0 <= a2 * sqrt (2 * e / m1) <= a2 * sqrt (2 * e' / m1)) by nra.
+    assert (S2 : 0 <= a2 * sqrt (2 * e / a2) <= a2 * sqrt (2 * e' / a2)) by nra.
+    assert (S3 : 0 <= a1 * sqrt (2 * e / m1) <= a1 * sqrt (2 * e' / m1)) by nra.
     assert (S4 : 0 <= a1 * ((a2 * sqrt (2 * e / a2) + a1 * sqrt (2 * e / m1) + bs) / m1) <= a1 * ((a2 * sqrt (2 * e' / a2) + a1 * sqrt (2 * e' / m1) + bs) / m1)).
     { split; [apply Rmult_le_pos; auto; apply Rmult_le_pos; lra|]. apply Rmult_le_compat_l; auto.
       apply Rmult_le_compat_r; lra. }
     split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra]. }
-  assert (Dp : 0 < (bs - bk) * sqrt (a2 / m1)) by positive.
-  unfold least_loss, least_slip. set (D := (bs - bk) * sqrt (a2 / m1)) in *.
-  set (l := load_rate m1 m2 a1 a2 bs e) in *. set (l' := load_rate m1 m2 a1 a2 bs e') in *.
-  assert (Sl : 0 <= (bs - bk) / (2 * l' + D) <= (bs - bk) / (2 * l + D)).
+  assert (Dp : 0 < (bs - bk) * sqrt (a2 / m1)) by positive. unfold least_loss, least_slip.
+  set (D := (bs - bk) * sqrt (a2 / m1)) in *. set (l := load_rate m1 m2 a1 a2 bs e) in *.
+  set (l' := load_rate m1 m2 a1 a2 bs e') in *. assert (Sl : 0 <= (bs - bk) / (2 * l' + D) <= (bs - bk) / (2 * l + D)).
   { split; [apply Rlt_le, Rdiv_lt_0_compat; lra|]. apply Rmult_le_compat_l; [lra|]. apply Rinv_le_contravar; lra. }
-  assert (((bs - bk) / (2 * l' + D)) ^ 2 <= ((bs - bk) / (2 * l + D)) ^ 2) by nra. assert (0 < (m1 + m2) / (m1 * m2)) by positive.
-  assert (0 <= bk * ((m1 + m2) / (m1 * m2)) * (bs - bk)).
-  { positive. }
+  assert (((bs - bk) / (2 * l' + D)) ^ 2 <= ((bs - bk) / (2 * l + D)) ^ 2) by nra.
+  assert (0 < (m1 + m2) / (m1 * m2)) by positive. assert (0 <= bk * ((m1 + m2) / (m1 * m2)) * (bs - bk)) by positive.
   nra.
 Qed.
 
@@ -187,8 +183,8 @@ Proof.
       apply cont_ext with (fun t => - (m2 * a2 / (m1 + m2)) * x t - m2 * a1 / (m1 + m2) * v1 t).
       { intros; unfold load, stick_load; field; lra. }
       apply cont_minus; apply cont_scal; [apply (s_cx _ _ _ _ _ _ _ _ _ H)|apply (s_cv _ _ _ _ _ _ _ _ _ H)]. }
-    assert (F0 : 0 < f 0) by (unfold f; rewrite X0, V10; lra).
-    assert (Fq' : f q <= 0) by (unfold f; lra). assert (Fq : f 0 * f q <= 0) by nra.
+    assert (F0 : 0 < f 0) by (unfold f; rewrite X0, V10; lra). assert (Fq' : f q <= 0) by (unfold f; lra).
+    assert (Fq : f 0 * f q <= 0) by nra.
     destruct (first_zero f 0 q Cf ltac:(lra) Fq ltac:(lra)) as (T & HT & ZT & Before).
     assert (Lt : forall t, 0 <= t < T -> Rabs (load (x t) (v1 t)) < bs).
     { intros t Ht. specialize (Before t Ht).
@@ -223,16 +219,14 @@ Theorem sticks_kept x0 p q : exists x v1 v2 s, jumping x v1 v2 s /\ x 0 = x0 /\ 
 Proof.
   set (e := energy x0 p q).
   destruct (existence m1 m2 a1 a2 bk x0 p q Hm1 Hm2 Ha1 Ha2 Hk) as (x & v1 & v2 & s & H & X0 & V10 & V20).
-  pose proof (solution_moving _ _ _ _ _ _ _ _ _ H) as Mv.
-  assert (Pay : 0 < least_loss m1 m2 a1 a2 bs bk e).
+  pose proof (solution_moving _ _ _ _ _ _ _ _ _ H) as Mv. assert (Pay : 0 < least_loss m1 m2 a1 a2 bs bk e).
   { pose proof (loss_pos m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ (kinetic _ _ _ _ H)) as L.
     cbv beta in L. rewrite X0, V10, V20 in L. exact L. }
   assert (All : forall n y v, energy y v v <= e -> energy y v v <= INR n * least_loss m1 m2 a1 a2 bs bk e -> starts y v v).
   { induction n as [|n IH]; intros y v He Hn; apply (from_contact e _) with (2 := Hn) || idtac; auto.
     - apply (from_contact e O); auto. intros y' v' _ Neg. simpl in Neg.
       pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 y' v' v'). unfold energy in Neg. lra.
-    - apply (from_contact e (S n)); auto. intros y' v' He' Hn'. apply IH; auto. rewrite S_INR in Hn'.
-      lra. }
+    - apply (from_contact e (S n)); auto. intros y' v' He' Hn'. apply IH; auto. rewrite S_INR in Hn'. lra. }
   assert (Con : forall y v, energy y v v <= e -> starts y v v).
   { intros y v He. destruct (nat_above e _ Pay) as (n & Hn). apply (All n); lra. }
   destruct (Req_dec p q) as [<-|Npq]; [apply Con; unfold e; lra|].

@@ -44,9 +44,8 @@ Proof.
       * replace ((u t - a2 * x t - a1 * v1 t - b * -1) / m1) with a by (rewrite <- E3; field; lra); auto.
       * replace (b * -1 / m2) with a' by (apply Rmult_eq_reg_l with m2; [field_simplify; lra|lra]); auto.
     + rewrite Rabs_R0 in E3, E4. assert (Eq : a = a') by (apply Same; auto; lra). subst a'.
-      assert (Small : Rabs a < b / m2).
-      { destruct (sgn_cases (Rabs a - b / m2)) as [(L & Z)|[(L & Z)|(L & Z)]]; [exfalso|lra|exfalso];
-          rewrite Z in E4; assert (a = 0) as -> by nra; rewrite Rabs_R0 in L; lra. }
+      assert (Small : Rabs a < b / m2) by (destruct (sgn_cases (Rabs a - b / m2)) as [(L & Z)|[(L & Z)|(L & Z)]];
+        [exfalso|lra|exfalso]; rewrite Z in E4; assert (a = 0) as -> by nra; rewrite Rabs_R0 in L; lra).
       apply Rabs_def2 in Small. assert (m2 * (b / m2) = b) by (field; lra).
       assert (Ld : load u x v1 t = m2 * a) by (unfold load, ModeAtContact.load; rewrite <- E3; field; lra).
       split; [|intros _; rewrite Ld; apply Rabs_def1; nra]. exists (m2 * a / b).
@@ -121,8 +120,7 @@ Proof.
     apply forced_switching_iff in Sw. revert Sw. intros (_ & L). revert L. apply almost_impl. intros t Ht L E.
     destruct (Eq t Ht) as (Ex & Ev & Ew). unfold load, ModeAtContact.load in *. rewrite Ex, Ev in L. lra.
   - intros N. exists x, v1, v2. split; [|auto]. apply forced_switching_iff. split; [auto|].
-    apply (almost_impl _ _) with (2 := almost_and _ _ N (load_within _ _ _ _ F)). intros t _ (Ne & Le) E.
-    lra.
+    apply (almost_impl _ _) with (2 := almost_and _ _ N (load_within _ _ _ _ F)). intros t _ (Ne & Le) E. lra.
 Qed.
 
 (** [switching-iff] The absolutely continuous solutions of (3), (4) without a control, met at almost all times, are
@@ -130,7 +128,8 @@ Qed.
 Theorem switching_iff x v1 v2 : switching (fun _ => 0) x v1 v2 <-> filippov (fun _ => 0) x v1 v2.
 Proof.
   rewrite forced_switching_iff. split; [tauto|]. intros F. split; [auto|].
-  set (p := fun k t => a2 * x t + a1 * v1 t + k * (b * (m1 + m2) / m2)). set (q := fun k t => v1 t + k * (a1 * b / (a2 * m2))).
+  set (p := fun k t => a2 * x t + a1 * v1 t + k * (b * (m1 + m2) / m2)).
+  set (q := fun k t => v1 t + k * (a1 * b / (a2 * m2))).
   pose proof (almost_and _ _ (almost_no_simple_zero (p 1)) (almost_no_simple_zero (q 1))) as N1.
   pose proof (almost_and _ _ (almost_no_simple_zero (p (-1))) (almost_no_simple_zero (q (-1)))) as N2.
   apply (almost_impl _ _) with (2 := almost_and _ _ (almost_and _ _ N1 N2) (stuck_at _ _ _ _ F)).

@@ -8,9 +8,7 @@ Definition K p := (p - sin p * cos p) - sqrt 2 * (sin p - p * cos p).
 Definition k p := 2 * sin p - sqrt 2 * p.
 
 Lemma derive_K p : is_derive K p (sin p * k p).
-Proof.
-  unfold K, k. auto_derive; auto. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. nra.
-Qed.
+Proof. unfold K, k. auto_derive; auto. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. nra. Qed.
 Lemma cont_K : cont K. Proof. eapply cont_of_derive. apply derive_K. Qed.
 Lemma cont_k : cont k.
 Proof. apply cont_of_derive with (fun p => 2 * cos p - sqrt 2). intros t. unfold k. auto_derive; auto. ring. Qed.
@@ -24,8 +22,7 @@ Qed.
 
 Lemma turn : exists p1, 0 < p1 < PI /\ (forall t, 0 < t < p1 -> 0 < k t) /\ (forall t, p1 < t < PI -> k t < 0).
 Proof.
-  pose proof PI2_1 as P1. assert (S2 : 1 < sqrt 2). { rewrite <- sqrt_1 at 1.
-    apply sqrt_lt_1; lra. }
+  pose proof PI2_1 as P1. assert (S2 : 1 < sqrt 2). { rewrite <- sqrt_1 at 1. apply sqrt_lt_1; lra. }
   destruct (cont_IVT k (1 / 2) PI cont_k) as (p1 & Hp & Z); [lra| |].
   { assert (k PI < 0) by (unfold k; rewrite sin_PI; nra). assert (0 < k (1 / 2)); [|nra]. unfold k.
     assert (sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra). assert (sqrt 2 < 3 / 2) by nra.
@@ -55,9 +52,8 @@ Proof.
   destruct turn as (p1 & H1 & Up & Down). assert (S2 : 1 < sqrt 2). { rewrite <- sqrt_1 at 1. apply sqrt_lt_1; lra. }
   assert (K0 : K 0 = 0) by (unfold K; rewrite sin_0; ring).
   assert (KP : K PI < 0). { unfold K. rewrite sin_PI, cos_PI. nra. } assert (A : forall q, 0 < q <= p1 -> 0 < K q).
-  { intros q Hq. destruct (mvt_K 0 q ltac:(lra)) as (t & Ht & E).
-    pose proof (Up t ltac:(lra)). pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)).
-    assert (0 < sin t * k t) by positive. nra. }
+  { intros q Hq. destruct (mvt_K 0 q ltac:(lra)) as (t & Ht & E). pose proof (Up t ltac:(lra)).
+    pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)). assert (0 < sin t * k t) by positive. nra. }
   assert (B : forall u v, p1 <= u -> u < v -> v <= PI -> K v < K u).
   { intros u v Hu Huv Hv. destruct (mvt_K u v Huv) as (t & Ht & E).
     pose proof (Down t ltac:(lra)). pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)).
@@ -89,11 +85,10 @@ Lemma derive_ratio p : 0 < p < PI ->
   is_derive (fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p))) p
     ((2 * (sin p - p * cos p) ^ 2 - (p - sin p * cos p) ^ 2) / (2 * sin p ^ 2 * (sin p - p * cos p) ^ 2)).
 Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp) as G.
-  auto_derive. { nra. }
+  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp) as G. auto_derive. { nra. }
   pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. set (s := sin p) in *. set (c := cos p) in *.
-  assert (Main : 2 * s ^ 3 * (s - p * c) - (p - s * c) * (c * (s - p * c) + p * s ^ 2) = 2 * (s - p * c) ^ 2 - (p
-    - s * c) ^ 2).
+  assert (Main : 2 * s ^ 3 * (s - p * c) - (p - s * c) * (c * (s - p * c) + p * s ^ 2) = 2 * (s - p * c) ^ 2 - (p - s *
+    c) ^ 2).
   { rewrite ?pow2e, ?pow3e. nsatz. }
   rewrite <- Main. replace (1 + - (1 * c * c + s * (1 * - s))) with (2 * s * s) by lra. field. lra.
 Qed.
@@ -109,20 +104,19 @@ Proof.
     p) ^ 2)).
   destruct (MVT_cor2 f df p q Hpq) as (t & E & Ht). { intros t Ht. apply is_derive_Reals, derive_ratio; lra. }
   assert (Den : 0 < / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)).
-  { pose proof (pow_lt _ 2 (sin_gt_0 t ltac:(lra) ltac:(lra))).
-    pose proof (pow_lt _ 2 (g_pos t ltac:(lra))). positive. }
+  { pose proof (pow_lt _ 2 (sin_gt_0 t ltac:(lra) ltac:(lra))). pose proof (pow_lt _ 2 (g_pos t ltac:(lra))).
+    positive. }
   assert (Sq : 2 * (sin t - t * cos t) ^ 2 - (t - sin t * cos t) ^ 2 = - K t * (t - sin t * cos t + sqrt 2 * (sin
     t - t * cos t))).
   { unfold K. pose proof (sqrt_sqrt 2 ltac:(lra)) as Q.
     replace (2 * (sin t - t * cos t) ^ 2) with (sqrt 2 * sqrt 2 * (sin t - t * cos t) ^ 2) by (rewrite Q; ring). ring. }
   assert (Pos : 0 < t - sin t * cos t + sqrt 2 * (sin t - t * cos t)).
-  { pose proof (A_pos t ltac:(lra)). pose proof (g_pos t ltac:(lra)).
-    assert (0 < sqrt 2) by positive. nra. }
+  { pose proof (A_pos t ltac:(lra)). pose proof (g_pos t ltac:(lra)). assert (0 < sqrt 2) by positive. nra. }
   assert (Ed : df t = - K t * ((t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t
     * cos t) ^ 2))).
   { unfold df. nra. }
   rewrite Ed in E.
-    set (w := (t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)) in *.
+  set (w := (t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)) in *.
   split; intros S; specialize (S t Ht).
   - assert (0 < K t * w * (q - p)) by positive. lra.
   - assert (0 < - K t * w * (q - p)) by positive. lra.
@@ -131,9 +125,8 @@ Qed.
 (** so it is least at the zero of K *)
 Theorem ratio_least p q : 0 < p < PI -> K p = 0 -> 0 < q < PI -> ratio p <= ratio q.
 Proof.
-  intros Hp Z Hq. destruct (signs p ltac:(lra) Z) as (Le & Ri).
-  destruct (Rtotal_order q p) as [Lt|[->|Gt]]; [|lra|]; apply Rlt_le;
-    [apply (ratio_step q p)|apply (ratio_step p q)]; try lra; intros t Ht; [apply Le|apply Ri]; lra.
+  intros Hp Z Hq. destruct (signs p ltac:(lra) Z) as (Le & Ri). destruct (Rtotal_order q p) as [Lt|[->|Gt]]; [|lra|];
+    apply Rlt_le; [apply (ratio_step q p)|apply (ratio_step p q)]; try lra; intros t Ht; [apply Le|apply Ri]; lra.
 Qed.
 
 (** there it is known *)
@@ -162,7 +155,7 @@ Proof.
     [pose proof (Le q ltac:(lra))|pose proof (Ri q ltac:(lra))]; lra. }
   split; [|split].
   - intros r Hr Hlt q Hq. rewrite Rel by auto. pose proof (ratio_least p q Hp' Z Hq) as Q.
-    assert (0 < ratio p). { apply Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto. }
+    assert (0 < ratio p) by (apply Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto).
     assert (ratio p ^ 2 <= ratio q ^ 2) by nra. pose proof (pow_lt _ 2 (depth_pos q Hq)). nra.
   - intros r Hr. rewrite Rel by auto. nra.
   - intros m1 m2 H1 H2. assert (S2 : 0 < sin p ^ 2) by positive. rewrite cos_2a_sin.
