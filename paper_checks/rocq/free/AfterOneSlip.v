@@ -22,14 +22,8 @@ Let O0 : 0 < o1. Proof. apply o1_pos; auto. Qed.
 Let Emono t u : 0 <= t <= u -> E u <= E t.
 Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). Qed.
 
-Let Eq_pos y : 0 < y -> 0 < Ecr * (q * y).
-Proof. intros. apply Rmult_lt_0_compat; [exact E0|]. apply Rmult_lt_0_compat; [exact q0|auto]. Qed.
 Let level_le y : Ecr * (1 + q * y) <= Ecr <-> y <= 0.
-Proof.
-  split; intros Q.
-  - destruct (Rle_dec y 0) as [|n]; auto. exfalso. pose proof (Eq_pos y ltac:(lra)). lra.
-  - destruct (Req_dec y 0) as [->|]; [lra|]. pose proof (Eq_pos (- y) ltac:(lra)). lra.
-Qed.
+Proof. assert (P : 0 < Ecr * q) by (apply Rmult_lt_0_compat; [exact E0|exact q0]). split; nra. Qed.
 
 (** [sticks-iff] On $S$ the pair sticks permanently exactly if its energy is at most $E_{cr}$. *)
 Theorem sticks_iff t : 0 <= t -> v1 t = v2 t -> (sticks t <-> E t <= Ecr).
@@ -67,22 +61,16 @@ Proof.
   intros Hk Ht Hd Hp HG HD t1 y. assert (T0 : 0 < 2 * p / o1) by positive.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & Sg & A & B & C & En).
   fold o1 t1 in Sg, A, B, C, En. fold M in A. fold q L in A. fold M in En. fold q Ecr y in En.
-  assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra). pose proof (depth_pos p Hp) as Dp.
-    set (D := depth p + d) in *.
-  assert (QD : 0 < q * D <= 2). { split; [apply Rmult_lt_0_compat; unfold D; lra|].
-    replace 2 with (q * (2 / q)) by (field; lra). scale. }
-  assert (Hx : - L <= x t1 <= L). { assert (- L <= k * x t1 <= L) by (rewrite A; split; nra).
-    destruct Hk; subst k; lra. }
+  assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra).
+  assert (Hx : - L <= x t1 <= L) by exact (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ d p Hk Hd Hp A HD).
   change (E t1 = Ecr * (1 + q * y)) in En. assert (T1 : 0 <= t1) by (unfold t1; lra).
   assert (Iff : E t1 <= Ecr <-> y <= 0) by (rewrite En; apply level_le).
   repeat (split; [auto; fail|]). split; [rewrite sticks_iff; auto|]. split.
   - intros Y. apply (capture m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t1 H); auto. fold Ecr. apply Iff; auto.
-  - intros Y. split. { destruct (Rlt_dec Ecr (E t1)) as [|n]; auto. exfalso. apply Rnot_lt_le in n.
-    apply Iff in n. lra. }
+  - intros Y. split; [apply Rnot_le_lt; intros N; apply Iff in N; lra|].
     destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t1 (sqrt y)) as (k' & t2 & A1 & A2 & A3 & A4); auto.
     + positive.
-    + change (E t1 = Ecr * (1 + q * sqrt y ^ 2)). rewrite En. do 2 f_equal.
-      replace (sqrt y ^ 2) with (sqrt y * sqrt y) by ring. rewrite sqrt_sqrt by lra. auto.
+    + change (E t1 = Ecr * (1 + q * sqrt y ^ 2)). rewrite En, pow2_sqrt; lra.
     + exists k', t2. repeat (split; [auto; fail|]). intros t Hu. apply A4; auto.
 Qed.
 

@@ -68,6 +68,10 @@ Proof.
     pose proof (sin_half (a / 2) ltac:(lra)) as S. nra.
 Qed.
 
+(** the sides alternate *)
+Lemma sides k n : k = 1 \/ k = -1 -> k * (-1) ^ n = 1 \/ k * (-1) ^ n = -1.
+Proof. intros Hk. induction n; simpl; [|destruct IHn; [right|left]]; lra. Qed.
+
 Section Orbit.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.
@@ -209,9 +213,6 @@ Proof. intros Hp. simpl. pose proof (cyc_long _ (orb_ok p n Hp)). lra. Qed.
 Lemma tim_start t0 p n : ok p -> t0 <= tim t0 p n.
 Proof. intros Hp. induction n; [simpl; lra|]. pose proof (tim_mono t0 p n Hp). lra. Qed.
 
-(** the sides alternate *)
-Lemma sides k n : k = 1 \/ k = -1 -> k * (-1) ^ n = 1 \/ k * (-1) ^ n = -1.
-Proof. intros Hk. induction n; simpl; [|destruct IHn; [right|left]]; lra. Qed.
 (** [exits] From a ray with slip angle up to $\pi$ and $r\,c^2<h^2$ the exits of a solution follow the orbit of the
     return map. *)
 Theorem exits k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> ok p ->

@@ -88,9 +88,7 @@ Let sl n := 2 * ph n / o1.
 Let side n := k * (-1) ^ n.
 Let P n : 0 < ph n < PI := ph_pi m1 m2 Hm1 Hm2 p Hp n.
 Let T0 n : t0 <= tm n := tim_start m1 m2 a2 Hm1 Hm2 Ha2 t0 p n Hp.
-(** the sides alternate *)
-Lemma sides n : side n = 1 \/ side n = -1.
-Proof. unfold side. induction n; simpl; [lra|]. destruct IHn; [right|left]; lra. Qed.
+Let sides n : side n = 1 \/ side n = -1 := sides k n Hk.
 (** on either the size is the same *)
 Lemma side_abs n y : Rabs y = Rabs (side n * y).
 Proof. rewrite Rabs_mult. destruct (sides n) as [->| ->]; [rewrite Rabs_R1|rewrite (Rabs_left (-1)) by lra]; ring. Qed.
@@ -278,16 +276,12 @@ Theorem fades ta : 0 <= ta -> v1 ta = v2 ta -> - L <= x ta <= L -> 16 * (m2 / (m
   Ecr < e -> h <= PI / 2 -> sticks_and_slips ta (fastest h) v1 v2 /\
     forall t, 0 <= t -> Ecr < energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Proof.
-  intros Ht Ev Hx Hr e h He Hh. assert (D : 0 < (e / Ecr - 1) / q).
-  { apply Rdiv_lt_0_compat; auto. apply Rmult_lt_reg_l with Ecr; auto.
-    replace (Ecr * (e / Ecr - 1)) with (e - Ecr) by (field; lra). lra. }
-  assert (H0 : 0 < h) by positive. assert (H2 : h * h = (e / Ecr - 1) / q) by (apply sqrt_sqrt; lra).
+  intros Ht Ev Hx Hr e h He Hh. destruct (level_push m1 m2 a2 b Hm1 Hm2 Ha2 Hb e He) as (H0 & Ee).
   destruct (half_spec h H0) as (Hp & Ep). set (p := half h) in *.
   assert (Pp : p <= PI / 2) by (apply hh_le; [lra|lra|rewrite Ep, hh_half_pi; lra]). assert (Ok : ok m1 m2 p).
   { split; [lra|]. apply (stays_above _ p (PI / 2)); [lra|lra|lra|]. rewrite hh_half_pi. unfold depth.
     rewrite sin_PI2, cos_PI2. lra. }
-  destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H ta h Ht Ev Hx H0) as (k & t0 & Hk & T0 & HR & St).
-  { change (e = Ecr * (1 + q * h ^ 2)). replace (h ^ 2) with (h * h) by ring. rewrite H2. field. lra. }
+  destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H ta h Ht Ev Hx H0 Ee) as (k & t0 & Hk & T0 & HR & St).
   rewrite <- Ep in HR. destruct (slips_fade k t0 p Hk ltac:(lra) Ok HR)
     as (te & tau & Z & Or & Li & Sk & Sl & Sp & Fa).
   split; [|exact (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk ltac:(lra) Ok HR)].

@@ -1,7 +1,7 @@
 (** Who merges from S0 when it first meets S after it left S0, and who at the first re-entry of S0,
     after any number of crossings: exactly the energies of one and the same closed interval above E_cr,
     whose ends are the two roots of hh = sqrt r depth. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle ExitOrbit SharpRate
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle SlipFromGap ExitOrbit SharpRate
   MergingAngles AfterOneSlip AlternatingSlips KappaBound ReturnToS0 MergingByMassRatio MergingIff.
 
 (** [merging-set] For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at
@@ -87,11 +87,5 @@ Proof.
   - intros t' Ht' E. specialize (Sg t' Ht'). rewrite E in Sg. lra.
   - exact F.
   - rewrite <- Between. split; [exact Iff|]. split; [exact Iff'|]. intros Out Q'. apply Iff' in Q'.
-    pose proof (depth_pos p Hp). assert (0 < q * depth p <= 2).
-    { split; [apply Rmult_lt_0_compat; auto|]. replace 2 with (q * (2 / q)) by (field; lra).
-      apply Rmult_le_compat_l; [lra|auto]. }
-    assert (- L m1 m2 a2 b <= k * x (te + 2 * p / o1 m1 a2) <= L m1 m2 a2 b).
-    { rewrite Ex. change (m1 / (m1 + m2)) with q. set (z := q * depth p) in *.
-      assert (0 <= L m1 m2 a2 b * z) by positive. assert (L m1 m2 a2 b * z <= L m1 m2 a2 b * 2) by scale. lra. }
-    destruct Hk; subst k; lra.
+    apply Out, (lands m1 m2 a2 b H1 H2 Ha Hb k _ 0 p Hk (Rle_refl 0) Hp); rewrite Rplus_0_r; [exact Ex|auto].
 Qed.

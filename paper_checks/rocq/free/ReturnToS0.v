@@ -128,7 +128,7 @@ Proof.
     fold q r in B.
   pose proof (least_angle_in e Hep) as P0. pose proof (depth_pos (least_angle e) P0) as D0.
   assert (D1 : depth (least_angle e) <= depth p).
-  { destruct (Req_dec (least_angle e) p) as [->|]; [lra|]. apply Rlt_le, depth_incr; lra. }
+  { destruct (Req_dec (least_angle e) p) as [->|]; [|apply Rlt_le, depth_incr]; lra. }
   assert (D2 : depth (least_angle e) ^ 2 <= depth p * (depth p + 2 * d)).
   { assert (depth (least_angle e) ^ 2 <= depth p ^ 2) by (apply pow_incr; lra).
     assert (0 <= depth p * d) by positive. lra. }
@@ -156,10 +156,7 @@ Proof.
     by (split; [unfold t1; lra|split; [intros t Hu Q; specialize (Sg t Hu); rewrite Q in Sg; lra|auto]]).
   all: pose proof (depth_pos p Hp) as Dp; destruct (Rle_dec (depth p + d) (2 / q)) as [In|Out].
   1,3: exists t1; split; [apply fr_in; [auto|]|first [pose proof (pos_INR n); rewrite S_INR|simpl INR]; unfold t1; nra];
-    assert (QD : 0 < q * (depth p + d) <= 2)
-      by (split; [apply Rmult_lt_0_compat; lra|replace 2 with (q * (2 / q)) by (field; lra);
-        apply Rmult_le_compat_l; lra]);
-    assert (- L <= k * x t1 <= L) by (rewrite A; split; nra); destruct Hk; subst k; lra.
+    exact (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ d p Hk D0 Hp A In).
   all: apply Rnot_le_lt in Out; pose proof (crossing_costs k d p t0 e Hk Ht D0 Hp He Hep HG Out) as Drop;
     fold t1 in Drop; pose proof (least_cost_pos e Hep) as Cost.
   - exfalso. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t1) (v1 t1) (v2 t1)). unfold E in *. simpl in En. lra.

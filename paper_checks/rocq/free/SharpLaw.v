@@ -43,19 +43,13 @@ Qed.
 (** the half slip angle of a small level *)
 Lemma level_angle E : Ecr < E -> small E -> exists p, ok m1 m2 p /\ E = Ecr * (1 + q * hh p ^ 2).
 Proof.
-  intros HE (Sm1 & Sm2). set (w := E / Ecr - 1) in *.
-  assert (W : 0 < w). { unfold w. apply Rmult_lt_reg_l with Ecr; auto.
-    replace (Ecr * (E / Ecr - 1)) with (E - Ecr) by (field; lra). lra. }
-  assert (Wq : 0 < w / q) by positive. set (u := sqrt (w / q)). assert (U : 0 < u) by positive.
-  assert (U2 : u ^ 2 = w / q). { unfold u. rewrite <- Rsqr_pow2, Rsqr_sqrt; lra. }
-  destruct (half_spec u U) as (Hp & Hh). exists (half u).
-  split; [|rewrite Hh, U2; unfold w; field; split; lra]. apply ok_small; auto.
-  - split; [lra|]. apply hh_le; auto; [pose proof PI_RGT_0; lra|]. rewrite hh_half_pi.
-    assert (u ^ 2 <= (PI / 2) ^ 2). { rewrite U2. apply Rmult_le_reg_l with q; auto.
-      replace (q * (w / q)) with w by (field; lra). auto. }
-    nra.
-  - fold M r. rewrite Hh, U2. apply Rmult_lt_compat_r with (r := 9 / 4 * r / q) in Sm2; [|positive].
-    replace (4 * q / (9 * r) * (9 / 4 * r / q)) with 1 in Sm2 by (field; split; lra). lra.
+  intros HE (Sm1 & Sm2). destruct (level_push m1 m2 a2 b Hm1 Hm2 Ha2 Hb E HE) as (U & EU). fold M Ecr in U, EU.
+  fold q in U, EU. set (u := sqrt _) in *. assert (W : E / Ecr - 1 = q * u ^ 2) by (rewrite EU; field; lra).
+  rewrite W in Sm1, Sm2. destruct (half_spec u U) as (Hp & Hh). exists (half u). split; [|rewrite Hh; exact EU].
+  apply ok_small; auto.
+  - split; [lra|]. pose proof PI_RGT_0. apply hh_le; [lra|lra|]. rewrite Hh, hh_half_pi.
+    apply Rmult_le_reg_l in Sm1; [nra|auto].
+  - fold M r. rewrite Hh. apply Rlt_div_r in Sm2; [|lra]. apply Rmult_lt_reg_l with q; auto. lra.
 Qed.
 
 (** [arc-to-left-ray] On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left

@@ -27,6 +27,13 @@ Let r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2.
 Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
 Lemma Ecr_pos : 0 < Ecr.
 Proof. unfold Ecr. rewrite Ecr_L by auto. pose proof (pow_lt _ 2 (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)). nra. Qed.
+(** the push of a level above E_cr *)
+Lemma level_push e : Ecr < e -> let u := sqrt ((e / Ecr - 1) / q) in 0 < u /\ e = Ecr * (1 + q * u ^ 2).
+Proof.
+  intros He u. pose proof Ecr_pos. assert (1 < e / Ecr) by (undivide Ecr; lra).
+  assert (D : 0 < (e / Ecr - 1) / q) by (apply Rdiv_lt_0_compat; [lra|auto]).
+  split; [apply sqrt_lt_R0; auto|]. unfold u. rewrite pow2_sqrt by lra. field. split; lra.
+Qed.
 Lemma E_falls u t : 0 <= u <= t -> E t <= E u.
 Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H u t). Qed.
 

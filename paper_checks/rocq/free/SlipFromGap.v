@@ -187,6 +187,16 @@ Proof.
   unfold energy. destruct Hk; subst k; field.
 Qed.
 
+(** it ends in S0 if it goes no further than the width of S0 *)
+Lemma lands k y d p : k = 1 \/ k = -1 -> 0 <= d -> 0 < p < PI -> k * y = L * (1 - q * (depth p + d)) ->
+  depth p + d <= 2 / q -> - L <= y <= L.
+Proof.
+  intros Hk Hd Hp E HD. pose proof (depth_pos p Hp). pose proof (q_pos m1 m2 Hm1 Hm2) as Q0. fold M q in Q0.
+  pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0. apply Rle_div_r in HD; [|lra].
+  assert (0 < q * (depth p + d)) by (apply Rmult_lt_0_compat; lra). assert (- L <= k * y <= L) by (rewrite E; split; nra).
+  destruct Hk; subst k; lra.
+Qed.
+
 (** Existence: every push, from every gap d > 0, has its one half angle, so every such slip is covered. *)
 Corollary gap_slips k x v1 v2 s t0 d u : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < d ->
   at_gap k d u x v1 v2 t0 -> exists p, 0 < p < PI /\ push d p = u /\ (forall t, t0 < t < t0 + 2 * p / o1 ->

@@ -42,19 +42,13 @@ Lemma run_left x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s -> x 0 = L -> v1 0 = 
     v2 t = - sp (x t)) /\
     (forall r t, 0 <= r < t -> t <= T -> x t < x r) /\ (exists d, 0 < d /\ forall t, T < t < T + d -> v2 t < v1 t).
 Proof.
-  intros H X0 V0 W0. destruct (speed_pos L ltac:(lra)) as ((P & _) & EL). pose proof (q_pos m1 m2 Hm1 Hm2) as Q0.
-    fold q in Q0. assert (E0 : 0 < Ecr) by (apply Ecr_pos; auto). set (u := sqrt ((e / Ecr - 1) / q)).
-  assert (D : 0 < (e / Ecr - 1) / q).
-  { apply Rdiv_lt_0_compat; auto. apply Rmult_lt_reg_l with Ecr; auto.
-    replace (Ecr * (e / Ecr - 1)) with (e - Ecr) by (field; lra). lra. }
-  assert (U : 0 < u) by (apply sqrt_lt_R0; auto). assert (Eu : e = Ecr * (1 + q * u ^ 2)).
-  { unfold u. replace (sqrt ((e / Ecr - 1) / q) ^ 2) with (sqrt ((e / Ecr - 1) / q) * sqrt ((e / Ecr - 1) / q)) by ring.
-    rewrite sqrt_sqrt by lra. field. lra. }
+  intros H X0 V0 W0. destruct (speed_pos L ltac:(lra)) as ((P & _) & EL).
+  destruct (level_push m1 m2 a2 b Hm1 Hm2 Ha2 Hb e He) as (U & Eu). fold q Ecr in U, Eu. set (u := sqrt _) in *.
   assert (E00 : energy m1 m2 a2 (x 0) (v1 0) (v2 0) = e) by (rewrite X0, V0, W0, <- EL; unfold energy; field).
   destruct (to_ray_left m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s 0 u H) as (T & HT & (XT & VT & WT) & St); auto;
     try (fold L; lra).
   { rewrite E00. exact Eu. } fold L in XT, St. pose proof (ray_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb u U) as R0. exists T.
-  assert (T0 : 0 < T) by (destruct (Req_dec T 0) as [Z|]; [rewrite Z, X0 in XT; lra|lra]).
+  assert (T0 : 0 < T) by (destruct (Req_dec T 0) as [Z|]; [rewrite Z, X0 in XT|]; lra).
   assert (ET : energy m1 m2 a2 (x T) (v1 T) (v2 T) = e).
   { rewrite Eu. apply (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 (-1) u x v1 v2 T); [auto|]. repeat split; fold L; lra. }
   assert (Et : forall t, 0 <= t <= T -> energy m1 m2 a2 (x t) (v1 t) (v1 t) = e).
