@@ -36,6 +36,17 @@ Proof.
   intros t _. pose proof (COS_bound t); lra.
 Qed.
 
+(** sin u >= u - u^3/6 *)
+Lemma sin_above u : 0 <= u <= PI -> u - u ^ 3 / 6 <= sin u.
+Proof.
+  intros Hu. cut (0 <= sin u - (u - u ^ 3 / 6)); [lra|].
+  apply (from_zero (fun u => sin u - (u - u ^ 3 / 6)) (fun u => cos u - (1 - u ^ 2 / 2)) PI); auto.
+  - intros t; auto_derive; auto. field.
+  - intros t Ht. pose proof (sin_below (t / 2) ltac:(lra)). replace t with (2 * (t / 2)) at 1 by field.
+    rewrite cos_2a_sin. pose proof (sin_pos (t / 2) ltac:(lra)). nra.
+  - rewrite sin_0. field.
+Qed.
+
 (** g = sin - u cos *)
 Lemma g_nonneg u : 0 <= u <= PI -> 0 <= sin u - u * cos u.
 Proof.
@@ -62,16 +73,24 @@ Proof.
   intros Hu. replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin.
     pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)). nra.
 Qed.
+(** the numerator of h' is positive inside *)
+Lemma N_pos u : 0 < u < 2 * PI -> 0 < 2 - 2 * cos u - u * sin u.
+Proof.
+  intros Hu. pose proof (g_pos (u / 2) ltac:(lra)). pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)).
+  replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin, sin_2a. nra.
+Qed.
+Lemma h_rate u : 0 < u < 2 * PI -> is_derive h u ((2 - 2 * cos u - u * sin u) / (1 - cos u) ^ 2).
+Proof.
+  intros Hu. pose proof (one_cos u Hu). unfold h. auto_derive; [lra|].
+  replace (2 - 2 * cos u - u * sin u) with ((1 - cos u) * (1 - cos u) - (u - sin u) * sin u) by (circle u; nsatz).
+  field. lra.
+Qed.
 (** [h-increases] $h$ increases on $(0,2\pi)$: no two slip angles have the same exit speed. *)
 Theorem h_increases u v : 0 < u -> u < v -> v < 2 * PI -> h u < h v.
 Proof.
-  apply (incr_function h 0 (2 * PI) (fun t => (2 - 2 * cos t - t * sin t) / (1 - cos t) ^ 2)); try (simpl; lra).
-  - intros t T0 T1; simpl in T0, T1. pose proof (one_cos t (conj T0 T1)). unfold h. auto_derive; [lra|].
-    replace (2 - 2 * cos t - t * sin t) with ((1 - cos t) * (1 - cos t) - (t - sin t) * sin t) by (circle t; nsatz).
-    field. lra.
-  - intros t T0 T1; simpl in T0, T1. pose proof (one_cos t (conj T0 T1)). apply Rdiv_lt_0_compat; [|positive].
-    replace t with (2 * (t / 2)) by field. rewrite cos_2a_sin, sin_2a. pose proof (g_pos (t / 2) ltac:(lra)).
-    pose proof (sin_gt_0 (t / 2) ltac:(lra) ltac:(lra)). nra.
+  apply (incr_function h 0 (2 * PI) (fun t => (2 - 2 * cos t - t * sin t) / (1 - cos t) ^ 2)); try (simpl; lra);
+    intros t T0 T1; simpl in T0, T1; [apply h_rate; lra|].
+  apply Rdiv_lt_0_compat; [apply N_pos|apply pow_lt, one_cos]; lra.
 Qed.
 
 (** *** inequalities in the half angle *)

@@ -9,10 +9,7 @@ Definition h1 u := (2 - 2 * cos u - u * sin u) / (1 - cos u) ^ 2.
 (** and the rate of that *)
 Definition h2 u := (u * (2 + cos u) - 3 * sin u) / (1 - cos u) ^ 2.
 Lemma h_derive u : 0 < u < 2 * PI -> is_derive h u (h1 u).
-Proof.
-  intros Hu. pose proof (one_cos u Hu). unfold h, h1. auto_derive; [lra|].
-  replace (2 - 2 * cos u - u * sin u) with ((1 - cos u) * (1 - cos u) - (u - sin u) * sin u) by (circle u; nsatz). field. lra.
-Qed.
+Proof. exact (h_rate u). Qed.
 Lemma h1_derive u : 0 < u < 2 * PI -> is_derive h1 u (h2 u).
 Proof.
   intros Hu. pose proof (one_cos u Hu).
@@ -21,21 +18,15 @@ Proof.
       with ((1 - cos u) * (u * (2 + cos u) - 3 * sin u)) by (circle u; nsatz). unfold h2. field. lra. }
   rewrite E. unfold h1. auto_derive; [apply Rgt_not_eq; nra|]. field. lra.
 Qed.
-Lemma h1_top u : 0 < u < 2 * PI -> 0 < 2 - 2 * cos u - u * sin u.
-Proof.
-  intros Hu. pose proof (g_pos (u / 2) ltac:(lra)). pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)).
-  replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin, sin_2a.
-  nra.
-Qed.
 Lemma h1_pos u : 0 < u < 2 * PI -> 0 < h1 u.
-Proof. intros Hu. apply Rdiv_lt_0_compat; [apply h1_top; auto|apply pow_lt, one_cos; auto]. Qed.
+Proof. intros Hu. apply Rdiv_lt_0_compat; [apply N_pos; auto|apply pow_lt, one_cos; auto]. Qed.
 Lemma h2_pos u : 0 < u < 2 * PI -> 0 < h2 u.
 Proof.
   intros Hu. apply Rdiv_lt_0_compat; [|apply pow_lt, one_cos; auto].
   apply Rle_lt_trans with (u / 2 * (2 + cos (u / 2)) - 3 * sin (u / 2)); [pose proof (cusa (u / 2) ltac:(lra)); lra|].
   apply (incr_function (fun u => u * (2 + cos u) - 3 * sin u) 0 (2 * PI) (fun u => 2 - 2 * cos u - u * sin u)); try (simpl; lra).
   - intros t _ _. auto_derive; auto. ring.
-  - intros t T0 T1. simpl in T0, T1. apply h1_top. lra.
+  - intros t T0 T1. simpl in T0, T1. apply N_pos. lra.
 Qed.
 Lemma h_small u : 0 < u <= PI -> h u <= u.
 Proof.
@@ -91,7 +82,7 @@ Theorem deepens : (forall u, 0 < u < 2 * PI -> is_derive c u (h u) /\ 0 < c u) /
 Proof.
   pose proof PI_RGT_0. split; [intros u Hu; split; [apply c_derive; auto|apply depth_pos; lra]|]. split.
   - intros y Hy. apply one_angle; [apply c_increases|]. set (p0 := Rmin (y / 8) (1 / 2)).
-    pose proof (Rmin_l (y / 8) (1 / 2)). pose proof (Rmin_r (y / 8) (1 / 2)). fold p0 in H0, H1. assert (P0 : 0 < p0) by (apply Rmin_glb_lt; lra).
+    assert (P0 : 0 < p0 <= 1 / 2 /\ p0 <= y / 8) by (unfold p0, Rmin; destruct Rle_dec; lra).
     pose proof PI2_1. set (F := fun p => 2 * (sin p - p * cos p) - y * sin p).
     assert (E : forall p, 0 < p < PI -> 0 < sin p /\ F p = sin p * (depth p - y)).
     { intros p Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). split; auto. unfold F, depth. field. lra. }
@@ -239,25 +230,15 @@ Proof.
   apply ray_gap in On. rewrite <- (push_0 p) in On.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t 0 p Hk H Ht (Rle_refl 0) Hp On) as (_ & _ & A & B & C & En).
   fold o1 in A, B, C, En. fold e in A, B, C, En. fold M in A, En. fold q L in A. fold q Ecr in En. rewrite level_0 in En by auto. fold M in En.
-  rewrite Rplus_0_r in A, B, C. pose proof (next_push 0 p Hp) as Np. rewrite push_0, Rplus_0_r in Np. rewrite <- Np in B, C.
-  pose proof (depth_pos p Hp). set (y := hh p ^ 2 - m2 / M * depth p ^ 2) in *.
-  assert (Sy : 0 < sqrt y) by positive. assert (Ey : sqrt y ^ 2 = y) by (apply pow2_sqrt; lra). rewrite <- Ey in En.
-  assert (Dq : q * depth p <= 2) by (apply Rmult_le_reg_l with (/ q); [positive|]; replace (/ q * (q * depth p)) with (depth p) by (field; lra);
-    replace (/ q * 2) with (2 / q) by (field; lra); auto).
-  assert (Xe : - L <= k * x e <= L) by (rewrite A; assert (0 < q * depth p) by positive; split; nra).
+  assert (Xe : - L <= x e <= L) by (apply (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ 0 p Hk (Rle_refl 0) Hp A); lra).
+  rewrite Rplus_0_r in B, C. pose proof (next_push 0 p Hp) as Np. rewrite push_0, Rplus_0_r in Np. rewrite <- Np in B, C.
+  set (y := hh p ^ 2 - m2 / M * depth p ^ 2) in *. assert (Sy : 0 < sqrt y) by positive.
+  assert (Ey : sqrt y ^ 2 = y) by (apply pow2_sqrt; lra). rewrite <- Ey in En.
   assert (Ve : v1 e = v2 e) by (destruct Hk; subst k; lra).
   assert (Sg : forall j, j = 1 \/ j = -1 -> j * v1 e < 0 -> exists t2 u, e <= t2 /\ 0 < u /\ on_ray m1 m2 a2 b (- j) u x v1 v2 t2 /\
     forall r, e <= r <= t2 -> v1 r = v2 r).
-  { intros j Hj N. destruct Hj; subst j.
-    - destruct (to_ray_left m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s e (sqrt y) H He Ve) as (t2 & T2 & R & St);
-        [fold L; destruct Hk; subst k; lra|lra|auto|exact En|].
-      exists t2, (sqrt y). split; [lra|]. split; [auto|]. split; [exact R|]. apply St; auto.
-    - destruct (to_ray_left m1 m2 a2 b Hm1 Hm2 Ha2 Hb _ _ _ _ e (sqrt y) (mirror m1 m2 a2 b _ _ _ _ H) He) as (t2 & T2 & R & St);
-        cbv beta; [lra|fold L; destruct Hk; subst k; lra|lra|auto| |].
-      { etransitivity; [|exact En]. unfold energy. field. }
-      exists t2, (sqrt y). split; [lra|]. split; [auto|]. split.
-      + destruct R as (R1 & R2 & R3). repeat split; lra.
-      + intros r Hr. destruct (St r Hr) as (E1 & _). lra. }
+  { intros j Hj N. destruct (to_ray_side m1 m2 a2 b Hm1 Hm2 Ha2 Hb j x v1 v2 s e (sqrt y) Hj H He Ve Xe N Sy En)
+      as (t2 & T2 & R & St). exists t2, (sqrt y). split; [lra|]. split; [auto|]. split; [exact R|apply St]. }
   assert (Ray : forall z, ray z = b / (m2 * o1) * z) by auto. assert (K : 0 < b / (m2 * o1)) by positive.
   assert (Tz : turn v = 0) by (unfold turn; lra). destruct (turns_until (2 * p) v ltac:(lra) Hv Tz) as (Up & Down).
   (* the speed there has the sign of h - theta, which is that of - turn theta *)

@@ -12,6 +12,12 @@ Proof.
   apply Rmult_lt_reg_r with (sin p0 ^ 2); [lra|].
   replace (hh p0 * sin p0 ^ 2) with (p0 - sin p0 * cos p0); [nra|unfold hh; field; lra].
 Qed.
+(** and each push from a gap, or outwards from a ray *)
+Lemma push_at d u : 0 < d \/ d = 0 /\ 0 < u -> exists p, 0 < p < PI /\ push d p = u.
+Proof.
+  intros [D|(-> & U)]; [destruct (push_root d u D) as (p & P & _); eauto|].
+  destruct (half_ex u U) as (p & Hp & E). exists p. rewrite push_0. auto.
+Qed.
 (** the half angle by the push *)
 Definition half u := match Rlt_dec 0 u with left Hu => proj1_sig (half_ex u Hu) | right _ => 1 end.
 Lemma half_spec u : 0 < u -> 0 < half u < PI /\ hh (half u) = u.

@@ -126,8 +126,7 @@ Proof.
   assert (T0 : forall n, t0 <= tm n) by (intros; apply tim_start; auto).
   assert (From : forall n j, w (tm n) = q * y n /\
     Rabs (C / w (tm (n + j)%nat) + PI * B * ln (w (tm (n + j)%nat) / w (tm n)) - (C / w (tm n) + om * (tm (n + j)%nat - tm n))) <= ka * sqrt (y n)).
-  { intros n j. assert (Kn : k * (-1) ^ n = 1 \/ k * (-1) ^ n = -1). { induction n as [|n IH]; simpl; [lra|]. destruct IH; [right|left]; lra. }
-    destruct (law_with_error m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H lo hi long Lo Long Bounds _ (tm n) (orb m1 m2 p n) Kn
+  { intros n j. destruct (law_with_error m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H lo hi long Lo Long Bounds _ (tm n) (orb m1 m2 p n) (sides k n Hk)
       ltac:(pose proof (T0 n); lra) (ok_pi m1 m2 _ (Ok n)) ltac:(pose proof (push_below m1 m2 Hm1 Hm2 p Hok n); lra)
       (exits m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hok HR n) j) as (Wn & _ & Bd).
     split; [exact Wn|]. fold q r in Bd. fold C B om in Bd. pose proof (proj2 (shifted t0 p n j) : tim m1 m2 a2 (tm n) (orb m1 m2 p n) j = tm (n + j)%nat) as Sh.

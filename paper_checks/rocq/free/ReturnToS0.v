@@ -145,10 +145,7 @@ Lemma returns_paid e n : 0 < e -> forall k d u t0, k = 1 \/ k = -1 -> 0 <= t0 ->
     first_reentry L x v1 v2 t0 t /\ t <= t0 + (INR n + 1) * (2 * PI / o1).
 Proof.
   intros Hep. induction n as [|n IH]; intros k d u t0 Hk Ht Hd HG He En.
-  all: assert (Ang : exists p, 0 < p < PI /\ push d p = u)
-    by (destruct Hd as [D|(-> & U)]; [destruct (push_root d u D) as (p & P & _)|destruct (half_ex u U) as (p & P1
-      & P2)]; [exists p; auto|exists p; rewrite push_0; auto]).
-  all: destruct Ang as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1) by positive;
+  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1) by positive;
     assert (T1 : 2 * p / o1 <= 2 * PI / o1) by scale.
   all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & Sg & A & B & C & _).
   all: fold o1 in Sg, A, B, C; fold q L in A; fold q in A; set (t1 := t0 + 2 * p / o1) in *.

@@ -2,17 +2,6 @@
 From InertialPair Require Import Dini Pair Stick Excursion ReturnMap EnergyLimit Dichotomy FollowArc Cycle ExitOrbit
   SharpRate ReturnToS0.
 
-(** sin u >= u - u^3/6 *)
-Lemma sin_above u : 0 <= u <= PI -> u - u ^ 3 / 6 <= sin u.
-Proof.
-  intros Hu. cut (0 <= sin u - (u - u ^ 3 / 6)); [lra|].
-  apply (from_zero (fun u => sin u - (u - u ^ 3 / 6)) (fun u => cos u - (1 - u ^ 2 / 2)) PI); auto.
-  - intros t; auto_derive; auto. field.
-  - intros t Ht. pose proof (sin_below (t / 2) ltac:(lra)). replace t with (2 * (t / 2)) at 1 by field.
-    rewrite cos_2a_sin. pose proof (sin_pos (t / 2) ltac:(lra)). nra.
-  - rewrite sin_0. field.
-Qed.
-
 Section Law.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let M := m1 + m2.

@@ -22,27 +22,16 @@ Qed.
 
 Lemma turn : exists p1, 0 < p1 < PI /\ (forall t, 0 < t < p1 -> 0 < k t) /\ (forall t, p1 < t < PI -> k t < 0).
 Proof.
-  pose proof PI2_1 as P1. assert (S2 : 1 < sqrt 2). { rewrite <- sqrt_1 at 1. apply sqrt_lt_1; lra. }
+  pose proof PI2_1 as P1. pose proof (sqrt_sqrt 2 ltac:(lra)). pose proof (sqrt_pos 2). assert (S2 : 1 < sqrt 2 < 3 / 2) by nra.
+  assert (E : forall t, 0 < t -> k t = 2 * t * (sin t / t - sqrt 2 / 2)) by (intros; unfold k; field; lra).
   destruct (cont_IVT k (1 / 2) PI cont_k) as (p1 & Hp & Z); [lra| |].
-  { assert (k PI < 0) by (unfold k; rewrite sin_PI; nra). assert (0 < k (1 / 2)); [|nra]. unfold k.
-    assert (sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra). assert (sqrt 2 < 3 / 2) by nra.
-    (* sin(1/2) > 3/8 : from sin u >= u - u^3/6 *)
-    assert (3 / 8 < sin (1 / 2)).
-    { cut (0 <= sin (1 / 2) - (1 / 2 - (1 / 2) ^ 3 / 6)); [lra|].
-      apply (from_zero (fun u => sin u - (u - u ^ 3 / 6)) (fun u => cos u - (1 - u ^ 2 / 2)) 1); [|  | |lra].
-      - intros t; auto_derive; auto. field.
-      - intros t Ht. pose proof (sin_below (t / 2) ltac:(lra)). replace t with (2 * (t / 2)) at 1 by field.
-        rewrite cos_2a_sin. pose proof (sin_pos (t / 2) ltac:(lra)). nra.
-      - rewrite sin_0. field. }
-    lra. }
-  assert (p1 < PI). { destruct (Req_dec p1 PI) as [->|]; [|lra]. unfold k in Z. rewrite sin_PI in Z. nra. }
-  assert (E : sin p1 / p1 = sqrt 2 / 2). { apply Rmult_eq_reg_r with (2 * p1); [|lra].
-    replace (sin p1 / p1 * (2 * p1)) with (2 * sin p1) by (field; lra). unfold k in Z. lra. }
-  exists p1. repeat split; try lra; intros t Ht.
-  - pose proof (sinc_strict t p1 ltac:(lra) ltac:(lra) ltac:(lra)) as Q. unfold k.
-    assert (sin t / t * t = sin t) by (field; lra). nra.
-  - pose proof (sinc_strict p1 t ltac:(lra) ltac:(lra) ltac:(lra)) as Q. unfold k.
-    assert (sin t / t * t = sin t) by (field; lra). nra.
+  { pose proof (sin_above (1 / 2) ltac:(lra)). assert (0 < k (1 / 2)) by (unfold k; lra).
+    assert (k PI < 0) by (unfold k; rewrite sin_PI; nra). nra. }
+  assert (p1 < PI) by (destruct (Req_dec p1 PI) as [->|]; [unfold k in Z; rewrite sin_PI in Z; nra|lra]).
+  rewrite E in Z by lra. apply Rmult_integral in Z. exists p1. repeat split; try lra; intros t Ht; rewrite E by lra.
+  - pose proof (sinc_strict t p1 ltac:(lra) ltac:(lra) ltac:(lra)). apply Rmult_lt_0_compat; lra.
+  - pose proof (sinc_strict p1 t ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (0 < 2 * t * (sqrt 2 / 2 - sin t / t)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
 (** [turning-point] The turning function has one zero $\varphi^*$ in $(0,\pi]$. *)

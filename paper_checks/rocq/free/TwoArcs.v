@@ -23,10 +23,7 @@ Proof.
   split; [split|].
   - apply sqrt_lt_R0, Rdiv_lt_0_compat; lra.
   - apply sqrt_le_1_alt. apply Rmult_le_compat_r; [positive|lra].
-  - unfold sp, level_speed, energy. replace (a2 * y ^ 2 / 2 + m1 * sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) ^ 2 / 2
-      + m2 * sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) ^ 2 / 2)
-      with (a2 * y ^ 2 / 2 + (m1 + m2) * (sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) * sqrt ((2 * e - a2 * y ^ 2) / (m1 +
-        m2))) / 2) by field. rewrite sqrt_sqrt; [field; lra|]. apply Rlt_le, Rdiv_lt_0_compat; lra.
+  - unfold sp, level_speed, energy. rewrite pow2_sqrt; [field; lra|]. apply Rdiv_le_0_compat; lra.
 Qed.
 Lemma level_speeds y v : - L <= y <= L -> energy m1 m2 a2 y v v = e <-> v = sp y \/ v = - sp y.
 Proof.
@@ -97,16 +94,17 @@ Proof.
     - apply cont_minus; [exact (s_cx _ _ _ _ _ _ _ _ _ H)|apply cont_const].
     - exists t. split; [auto|lra]. }
   destruct (speed_pos L ltac:(lra)) as ((P & _) & _). destruct (St T ltac:(lra)) as (_ & VT & _).
-  assert (Even : forall y, sp (- y) = sp y) by (intros y; unfold sp, level_speed; do 3 f_equal; ring).
-  rewrite XT, Even in VT. intros k [->| ->].
-  - exists (fun t => - x t), (fun t => - v1 t), (fun t => - v2 t), (fun t => - s t), T.
-    split; [apply mirror, H|]. split; [auto|]. split.
-    + intros t Ht. destruct (St t Ht) as (A & B & C). rewrite Even, B, C. lra.
-    + split; [intros y Hy; destruct (All (- y) ltac:(lra)) as (t & Ht & E); exists t; split; [auto|lra]|].
-      split; [lra|]. split; [lra|]. exists d. split; [auto|]. intros t Ht. specialize (K t Ht). lra.
-  - exists x, v1, v2, s, T. split; [auto|]. split; [auto|]. split.
-    + intros t Ht. destruct (St t Ht) as (A & B & C). lra.
-    + split; [auto|]. split; [lra|]. split; [lra|]. exists d. split; [auto|]. intros t Ht. specialize (K t Ht). lra.
+  assert (Even : forall y z, y ^ 2 = z ^ 2 -> sp y = sp z) by (intros y z E; unfold sp, level_speed; rewrite E; auto).
+  rewrite XT, (Even (- L) L) in VT by ring. intros k Hk.
+  exists (fun t => - k * x t), (fun t => - k * v1 t), (fun t => - k * v2 t), (fun t => - k * s t), T.
+  split; [apply sided; [destruct Hk; [right|left]; lra|auto]|]. split; [auto|]. split; [|split; [|split; [|split]]].
+  - intros t Ht. destruct (St t Ht) as (A & B & C). rewrite (Even (- k * x t) (x t)), B, C by (destruct Hk; subst k; ring).
+    destruct Hk; subst k; lra.
+  - intros y Hy. destruct (All (- k * y)) as (t & Ht & E); [destruct Hk; subst k; lra|]. exists t. split; [auto|].
+    rewrite E. destruct Hk; subst k; ring.
+  - rewrite XT. destruct Hk; subst k; lra.
+  - destruct Hk; subst k; lra.
+  - exists d. split; [auto|]. intros t Ht. specialize (K t Ht). destruct Hk; subst k; lra.
 Qed.
 End Level.
 End TwoArcs.
