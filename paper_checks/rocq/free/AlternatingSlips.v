@@ -37,13 +37,9 @@ Qed.
 (** from a ray only a long slip crosses *)
 Lemma crosses_long q p pc : 0 < pc < PI -> depth pc = 2 / q -> 0 < p < PI -> (2 / q < depth p <-> pc < p).
 Proof.
-  intros Hpc Dc Hp. rewrite <- Dc. split; intros Q.
-  - destruct (Rlt_dec pc p) as [|n]; auto. exfalso. destruct (Req_dec p pc) as [->|]; [lra|].
-    pose proof (depth_incr p pc ltac:(lra) ltac:(lra) ltac:(lra)). lra.
-  - apply depth_incr; lra.
+  intros Hpc Dc Hp. rewrite <- Dc. pose proof (depth_incr p pc). pose proof (depth_incr pc p).
+  destruct (Rtotal_order p pc) as [L|[->|L]]; split; lra.
 Qed.
-
-(** pc exists, between pi/2 and pi *)
 Lemma pc_ex q : 0 < q < 1 -> exists pc, PI / 2 < pc < PI /\ depth pc = 2 / q.
 Proof.
   intros Hq. pose proof PI2_3_2. set (F := fun p => q * (sin p - p * cos p) - sin p).

@@ -230,7 +230,7 @@ Proof.
   apply ray_gap in On. rewrite <- (push_0 p) in On.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t 0 p Hk H Ht (Rle_refl 0) Hp On) as (_ & _ & A & B & C & En).
   fold o1 in A, B, C, En. fold e in A, B, C, En. fold M in A, En. fold q L in A. fold q Ecr in En. rewrite level_0 in En by auto. fold M in En.
-  assert (Xe : - L <= x e <= L) by (apply (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ 0 p Hk (Rle_refl 0) Hp A); lra).
+  assert (Xe : - L <= x e <= L) by (apply (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ 0 p Hk (Rle_refl 0) Hp A); rewrite Rplus_0_r; auto).
   rewrite Rplus_0_r in B, C. pose proof (next_push 0 p Hp) as Np. rewrite push_0, Rplus_0_r in Np. rewrite <- Np in B, C.
   set (y := hh p ^ 2 - m2 / M * depth p ^ 2) in *. assert (Sy : 0 < sqrt y) by positive.
   assert (Ey : sqrt y ^ 2 = y) by (apply pow2_sqrt; lra). rewrite <- Ey in En.

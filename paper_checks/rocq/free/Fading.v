@@ -118,10 +118,8 @@ Qed.
 (** the angles fall *)
 Lemma angles_fall n : ph (S n) < ph n.
 Proof.
-  pose proof (ReturnMap.y_falls (m2 / (m1 + m2)) (r_pos m1 m2 Hm1 Hm2) ph P (y_step m1 m2 Hm1 Hm2 p Hp) n) as F.
-  pose proof (hh_pos _ (P n)). destruct (Rlt_dec (ph (S n)) (ph n)) as [|N]; auto.
-    assert (hh (ph n) <= hh (ph (S n))); [|nra]. destruct (Req_dec (ph n) (ph (S n))) as [->|]; [lra|].
-  apply Rlt_le, hh_incr; [apply P|lra|apply P].
+  apply hh_sq; [apply P|apply P|].
+  exact (ReturnMap.y_falls (m2 / (m1 + m2)) (r_pos m1 m2 Hm1 Hm2) ph P (y_step m1 m2 Hm1 Hm2 p Hp) n).
 Qed.
 Lemma angles_below n : ph n <= p.
 Proof. induction n; [unfold ph; simpl; lra|]. pose proof (angles_fall n). lra. Qed.

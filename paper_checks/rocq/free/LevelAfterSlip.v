@@ -94,16 +94,13 @@ Proof.
   { pose proof (parabola_rises p D Hp n HD). pose proof (Rays p Hp). lra. }
   apply Rnot_le_lt in n. pose proof (pow2_ge_0 (ct p)). destruct turn_ex as (t & Ht & Et & Ct); [lra|].
   apply Rlt_le_trans with (least p); [|apply parabola_least]. assert (Pt : p < t).
-  { destruct (Rlt_dec p t) as [|N]; auto. exfalso. assert (C : ct p <= ct t).
-    { destruct (Req_dec p t) as [->|]; [lra|]. apply Rlt_le, ct_falls; lra. }
-    assert ((- ct t) ^ 2 <= (- ct p) ^ 2) by (apply pow_incr; lra). nra. }
+  { apply Rnot_le_lt. intros N. assert (ct p <= ct t) by (destruct (Req_dec p t) as [->|]; [|apply Rlt_le, ct_falls]; lra).
+    nra. }
   assert (Fall : least t <= least p).
   { destruct (MVT_cor2 least slope p t Pt) as (u & E & Hu). { intros u Hu. apply is_derive_Reals, derive_least; lra. }
     assert (U : ct u ^ 2 + 2 * q <= 1).
-    { assert (C1 : ct u < ct p) by (apply ct_falls; lra). assert (C2 : ct t < ct u) by (apply ct_falls; lra).
-      assert (Kt : (- ct t) * (- ct t) = 1 - 2 * q) by (replace (ct t ^ 2) with (ct t * ct t) in Et by ring; lra).
-      assert (Kp : ct p < - ct t). { destruct (Rlt_dec (ct p) (- ct t)) as [|N]; auto. nra. }
-      assert (ct u * ct u <= (- ct t) * (- ct t)) by nra. replace (ct u ^ 2) with (ct u * ct u) by ring. lra. }
+    { pose proof (ct_falls p u ltac:(lra) ltac:(lra) ltac:(lra)). pose proof (ct_falls u t ltac:(lra) ltac:(lra) ltac:(lra)).
+      assert (ct p < - ct t) by nra. nra. }
     assert (slope u <= 0); [|assert (0 <= (- slope u) * (t - p)) by positive; lra].
     pose proof (push_positive u Hr ltac:(lra)). pose proof (depth_pos u ltac:(lra)). pose proof (pow2_ge_0 (ct u)).
     unfold slope. set (F := depth u * (1 + ct u ^ 2) / (ct u ^ 2 + q) ^ 2). assert (0 < F) by positive.
@@ -113,13 +110,6 @@ Proof.
   rewrite least_at_turn in Fall by lra. pose proof (Rays t ltac:(lra)). lra.
 Qed.
 End Share.
-
-(** PI < 3.53, from three terms of Leibniz's series *)
-Lemma PI_rough : PI * (1 + PI) < 16.
-Proof.
-  pose proof (PI_ineq 1) as (_ & U). unfold tg_alt, PI_tg in U. simpl in U. pose proof PI_RGT_0.
-  assert (PI <= 52 / 15) by lra. nra.
-Qed.
 
 (** [no-low-level] For $m_1/m_2>-\cos 2\varphi^*$: no slip from $S$, whatever its gap and initial speed, ends at or
     below $E_{cr}$. *)
@@ -134,7 +124,7 @@ Proof.
     assert (Q0 : 0 < q) by positive.
   specialize (Up (1 - q) ltac:(lra) Hr). change (0 < parabola q p (depth p + d)). apply above_rays; auto; try lra.
   (* the excursion of half angle pi/2 bounds the share: r < PI^2/16 *)
-  pose proof PI_RGT_0. pose proof PI_rough. specialize (Up (PI / 2) ltac:(lra)). rewrite hh_half_pi in Up.
+  pose proof PI_RGT_0. pose proof pi_below. assert (PI * (1 + PI) < 16) by nra. specialize (Up (PI / 2) ltac:(lra)). rewrite hh_half_pi in Up.
   assert (De : depth (PI / 2) = 2) by (unfold depth; rewrite sin_PI2, cos_PI2; field). rewrite De in Up.
   assert (1 - q < PI ^ 2 / 16) by lra. assert ((1 - q) * (1 + PI) <= PI ^ 2 / 16 * (1 + PI)) by scale. nra.
 Qed.

@@ -19,15 +19,11 @@ Proof.
     assert (Q : hh p = p * (1 + ct p ^ 2) - ct p). { rewrite inv_sin2 by lra. pose proof (sin2_cos2 p) as SC.
       unfold hh, ct. field. lra. }
     assert (Q' : hh (PI - p) = (PI - p) * (1 + ct p ^ 2) + ct p) by lra. rewrite Q' in T. lra. }
-  assert (Le : depth pc <= depth (PI - p)). { destruct (Req_dec pc (PI - p)) as [<-|]; [lra|].
-    apply Rlt_le, depth_incr; lra. }
-  rewrite Dc, De in Le. assert (Q1 : 1 <= q * (1 + (PI - p) * ct p)).
-  { apply Rmult_le_reg_l with (2 / q); [positive|].
-    replace (2 / q * (q * (1 + (PI - p) * ct p))) with (2 * (1 + (PI - p) * ct p)) by (field; lra). lra. }
-  pose proof (pow_lt _ 2 (hh_pos p ltac:(lra))) as H2. set (w := 1 + (PI - p) * ct p) in *.
-  apply Rmult_lt_reg_r with w; [unfold w; lra|]. apply Rlt_le_trans with (1 := M).
-  replace (q * hh p ^ 2 * w) with (q * w * hh p ^ 2) by ring. rewrite <- (Rmult_1_l (hh p ^ 2)) at 1.
-    apply Rmult_le_compat_r; lra.
+  assert (Le : depth pc <= depth (PI - p))
+    by (destruct (Req_dec pc (PI - p)) as [<-|]; [|apply Rlt_le, depth_incr]; lra).
+  rewrite Dc, De in Le. apply Rle_div_l in Le; [|lra]. pose proof (pow_lt _ 2 (hh_pos p ltac:(lra))) as H2.
+  set (w := 1 + (PI - p) * ct p) in *. apply Rmult_lt_reg_r with w; [unfold w; lra|].
+  apply Rlt_le_trans with (1 := M). assert (0 <= (w * q - 1) * hh p ^ 2) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
 (** the invariant of the slips after a crossing: a gap, and a half angle that is long or short *)
@@ -74,7 +70,7 @@ Proof.
     destruct Ls as [I|I]; [right; auto|left; auto].
   - right. apply Rnot_lt_le in N.
     assert (Sh : p <= PI - pc). { destruct Ls as [I|]; auto. exfalso. assert (depth pc <= depth p); [|lra].
-      destruct (Req_dec pc p) as [<-|]; [lra|]. apply Rlt_le, depth_incr; lra. }
+      destruct (Req_dec pc p) as [<-|]; [|apply Rlt_le, depth_incr]; lra. }
     destruct (reentry m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 d p Hk Ht ltac:(lra) Hp HG N) as (_ & _ & Hx & _
       & _ & _ & Up).
     assert (Y : 0 < level m1 m2 p d) by (apply level_pos; auto; apply (short_margin q pc); auto; lra).

@@ -71,20 +71,12 @@ Theorem level_rate : is_lim_seq (fun n => INR n * y n) (4 / (9 * r)). Proof.
 Theorem cycle_limit : is_lim_seq (fun n => tm (S n) - tm n) (PI / om).
 Proof.
   apply is_lim_seq_ext with cy. { intros n. rewrite tm_S. ring. }
-  assert (Z : is_lim_seq (fun n => 6 * sqrt q * sqrt (y n)) 0).
-  { replace (Finite 0) with (Rbar_mult (6 * sqrt q) (sqrt 0)) by (simpl; rewrite sqrt_0; f_equal; ring).
-    apply is_lim_seq_scal_l. apply is_lim_seq_continuous; [|apply level_to_zero]. apply continuity_pt_sqrt; lra. }
-  assert (Q : forall n, Rabs (om * cy n - PI) <= 6 * sqrt q * sqrt (y n)).
-  { intros n. unfold y. rewrite <- Rsqr_pow2, sqrt_Rsqr by (apply Rlt_le, hh_pos, ph_pi).
-    exact (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)). }
-  apply is_lim_seq_ext with (fun n => / om * (om * cy n)). { intros n; field; lra. }
-  replace (Finite (PI / om)) with (Rbar_mult (/ om) PI) by (simpl; f_equal; field; lra). apply is_lim_seq_scal_l.
-  apply is_lim_seq_le_le with (fun n => PI - 6 * sqrt q * sqrt (y n)) (fun n => PI + 6 * sqrt q * sqrt (y n)).
-  - intros n. pose proof (Q n) as W. apply Rabs_inv in W. lra.
-  - replace (Finite PI) with (Finite (PI - 0)) by (f_equal; ring).
-    apply is_lim_seq_minus'; [apply is_lim_seq_const|auto].
-  - replace (Finite PI) with (Finite (PI + 0)) by (f_equal; ring).
-    apply is_lim_seq_plus'; [apply is_lim_seq_const|auto].
+  apply lim_within with (2 := root_to_zero r r_pos ph ph_pi y_step (6 * sqrt q / om)). intros n.
+  pose proof (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)) as Q. fold M in Q. fold q om (cy n) in Q.
+  rewrite sqrt_pow2 by (apply Rlt_le, hh_pos, ph_pi). assert (0 < / om) by positive.
+  replace (cy n - PI / om) with ((om * cy n - PI) * / om) by (field; lra). rewrite Rabs_mult, (Rabs_pos_eq (/ om)) by lra.
+  replace (6 * sqrt q / om * hh (ph n)) with (6 * sqrt q * hh (ph n) * / om) by (field; lra).
+  apply Rmult_le_compat_r; [lra|exact Q].
 Qed.
 (** the cycle time tends to pi/Omega *)
 Lemma cy_limit : is_lim_seq cy (PI / om).
@@ -105,20 +97,9 @@ Proof.
     apply is_lim_seq_minus'; [apply cycle_limit|apply slip_time].
 Qed.
 
-Lemma tm_sum n : tm (S n) = t0 + sum_f_R0 cy n.
-Proof. induction n; [reflexivity|]. rewrite tm_S, IHn. simpl sum_f_R0. ring. Qed.
 (** so the n-th exit time over n tends to pi/Omega *)
 Theorem time_rate : is_lim_seq (fun n => tm n / INR n) (PI / om).
-Proof.
-  assert (C : is_lim_seq (fun n => sum_f_R0 cy (pred n) / INR n) (PI / om)).
-  { apply is_lim_seq_Reals. apply Cesaro_1. apply is_lim_seq_Reals. apply cy_limit. }
-  assert (Z : is_lim_seq (fun n => t0 * / INR n) 0).
-  { replace (Finite 0) with (Rbar_mult t0 0) by (simpl; f_equal; ring). apply is_lim_seq_scal_l.
-    assert (Q := is_lim_seq_inv _ _ is_lim_seq_INR). apply Q. discriminate. }
-  replace (Finite (PI / om)) with (Finite (0 + PI / om)) by (f_equal; ring).
-  apply is_lim_seq_ext_loc with (fun n => t0 * / INR n + sum_f_R0 cy (pred n) / INR n); [|apply is_lim_seq_plus'; auto].
-  exists 1%nat. intros n Hn. destruct n; [inversion Hn|]. rewrite tm_sum. simpl pred. lra.
-Qed.
+Proof. exact (steps_mean tm (PI / om) cycle_limit). Qed.
 Lemma tm_inf : is_lim_seq tm p_infty.
 Proof.
   apply is_lim_seq_ext_loc with (fun n => INR n * (tm n / INR n)).
