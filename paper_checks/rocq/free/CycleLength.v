@@ -43,8 +43,7 @@ Proof.
     pose proof (hh_incr v p ltac:(lra) ltac:(lra) ltac:(lra)). pose proof (depth_incr v p ltac:(lra) ltac:(lra) ltac:(lra)). unfold u, c. lra. }
   assert (E1 : hh v * (2 * sin v * sin v) = 2 * (v - sin v * cos v)) by (unfold hh; field; lra).
   assert (E2 : hh v * (2 * sin v * cos v) = 2 * sin v * sin v - depth v).
-  { unfold hh, depth. pose proof (sin2_cos2 v) as SC. unfold Rsqr in SC. apply Rmult_eq_reg_r with (sin v); [|lra]. field_simplify; [|lra|lra].
-    replace (cos v ^ 2) with (1 - sin v ^ 2) by (simpl; lra). ring. }
+  { unfold hh, depth. trig v. }
   rewrite sin_2a, cos_2a_sin. split.
   - replace (u * (1 - (1 - 2 * sin v * sin v)) - (2 * v - 2 * sin v * cos v)) with (u * (2 * sin v * sin v) - 2 * (v - sin v * cos v)) by ring.
     rewrite <- E1. assert (0 <= 2 * sin v * sin v) by nra. assert (hh v * (2 * sin v * sin v) <= u * (2 * sin v * sin v)) by scale. lra.
@@ -71,8 +70,7 @@ Proof.
   pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
   assert (Eu : u * (1 - cos (2 * p)) = 2 * p - sin (2 * p)) by (rewrite cos_2a_sin, sin_2a; unfold u, hh; field; lra).
   assert (Ec : cos (2 * p) + u * sin (2 * p) = 1 - c).
-  { rewrite cos_2a_sin, sin_2a; unfold u, c, hh, depth. apply Rmult_eq_reg_r with (sin p); [|lra]. field_simplify; [|lra|lra].
-    replace (cos p ^ 2) with (1 - sin p ^ 2) by (simpl; lra). ring. }
+  { rewrite cos_2a_sin, sin_2a. unfold u, c, hh, depth. trig p. }
   unfold g in Rise. replace (m 0 / x 0) with (a * u) in Rise by (unfold m, x, q; rewrite cos_0, sin_0; field; lra).
   replace (m (2 * p) / x (2 * p)) with (- (a * (2 * p - u) / (1 - q * c))) in Rise.
   2: { unfold m, x. rewrite Ec. replace (u * cos (2 * p) - sin (2 * p)) with (u - 2 * p) by lra. unfold q. field. unfold q. destruct small. nra. }

@@ -25,6 +25,11 @@ Lemma pow2e (z : R) : z ^ 2 = z * z. Proof. ring. Qed.
 Lemma pow3e (z : R) : z ^ 3 = z * z * z. Proof. ring. Qed.
 Ltac circle t := let SC := fresh "SC" in assert (SC : sin t * sin t + cos t * cos t = 1) by exact (sin2_cos2 t);
   set (s := sin t) in *; set (c := cos t) in *; clearbody s c; rewrite ?pow2e, ?pow3e.
+(** an identity in sin p > 0 and cos p, by sin^2 + cos^2 = 1 *)
+Ltac trig p := let S := fresh in let SC := fresh in
+  assert (S : 0 < sin p) by (apply sin_gt_0; lra); pose proof (sin2_cos2 p : sin p * sin p + cos p * cos p = 1) as SC;
+  clear - S SC; set (s := sin p) in *; set (c := cos p) in *; clearbody s c;
+  first [field_simplify_eq; [simpl; nsatz|lra]|simpl; nsatz].
 Ltac der := intros; auto_derive; [auto|ring].
 Ltac dern := let t := fresh "t" in intros t; auto_derive; [auto|]; rewrite ?cos_2a_cos, ?sin_2a; circle t; nsatz.
 Ltac zero := cbv beta; rewrite ?sin_0, ?cos_0; ring.

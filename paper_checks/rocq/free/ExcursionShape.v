@@ -37,10 +37,9 @@ Qed.
 Definition c u := depth (u / 2).
 Lemma c_derive u : 0 < u < 2 * PI -> is_derive c u (h u).
 Proof.
-  intros Hu. pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)). replace (h u) with (hh (u / 2)) by (rewrite hh_h by lra; f_equal; field).
-  unfold c, depth, hh. auto_derive; [change (u * / 2) with (u / 2); lra|]. change (u * / 2) with (u / 2). pose proof (sin2_cos2 (u / 2)) as SC. unfold Rsqr in SC.
-  set (n := sin (u / 2)) in *. set (k := cos (u / 2)) in *.
-  replace (u / 2 - n * k) with (u / 2 * (n * n + k * k) - n * k) by (rewrite SC; ring). field. lra.
+  intros Hu. pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)).
+  replace (h u) with (hh (u / 2)) by (rewrite hh_h by lra; f_equal; field).
+  unfold c, depth, hh. auto_derive; change (u * / 2) with (u / 2); [lra|trig (u / 2)].
 Qed.
 Lemma h_pos u : 0 < u < 2 * PI -> 0 < h u.
 Proof. intros Hu. replace u with (2 * (u / 2)) by field. rewrite <- hh_h by lra. apply hh_pos. lra. Qed.

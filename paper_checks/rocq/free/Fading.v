@@ -11,13 +11,10 @@ Proof.
     unfold a; rewrite atan_0]; lra).
   assert (C : 0 < cos a) by (apply cos_gt_0; lra). pose proof (cos_ge_0 z ltac:(lra) ltac:(lra)) as Cz.
   assert (T : h * cos a = sin a) by (rewrite <- (tan_atan h) at 1; fold a; unfold tan; field; lra).
-  pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 z) as SC. unfold Rsqr in SC.
+  pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S.
   apply Rmult_le_reg_r with (cos a); auto. apply Rminus_le_0.
   replace (_ - _) with (2 * (cos z * sin (a - z) - (a - z) * cos a)).
-  2: { rewrite sin_minus. unfold hh. replace (2 * sin z ^ 2 * (h - (z - sin z * cos z) / sin z ^ 2) * cos a)
-    with (2 * (sin z * sin z) * (h * cos a) - 2 * (z - sin z * cos z) * cos a) by (field; lra).
-    replace (2 * (h - a) * cos a) with (2 * (h * cos a) - 2 * a * cos a) by ring. rewrite T.
-    replace (sin z * sin z) with (1 - cos z * cos z) by lra. ring. }
+  2: { rewrite sin_minus, <- T. unfold hh. trig z. }
   destruct (Rle_dec z a) as [L|L].
   - pose proof (g_nonneg (a - z) ltac:(lra)) as G. assert (Ca : cos a <= cos z * cos (a - z)).
     { replace a with (z + (a - z)) at 1 by ring. rewrite cos_plus. pose proof (sin_pos (a - z) ltac:(lra)). nra. }

@@ -21,9 +21,8 @@ Proof.
     - intros t Ht. apply Rmult_le_pos; [pose proof (sin_ge_0 t ltac:(lra) ltac:(lra)); lra|].
       pose proof (sin_below t ltac:(lra)). lra. }
   assert (Le : hh u ^ 2 <= depth u ^ 2 * (1 + ct u ^ 2)).
-  { pose proof (sin2_cos2 u) as SC. unfold Rsqr in SC.
-    replace (depth u ^ 2 * (1 + ct u ^ 2)) with ((2 * (sin u - u * cos u) / sin u ^ 2) ^ 2 * (sin u * sin u + cos u * cos u))
-      by (unfold depth, ct; field; lra). rewrite SC, Rmult_1_r. apply pow_incr. split; [positive|].
+  { replace (depth u ^ 2 * (1 + ct u ^ 2)) with ((2 * (sin u - u * cos u) / sin u ^ 2) ^ 2) by (unfold depth, ct; trig u).
+    apply pow_incr. split; [positive|].
     apply Rmult_le_compat_r; [positive|lra]. }
   assert (2 * (hh u ^ 2 - depth u ^ 2 * (1 + ct u ^ 2)) / hh u ^ 3 <= 0); [|nra].
   undivide (hh u ^ 3). lra.
@@ -35,20 +34,15 @@ Proof.
   { intros u Hu. apply is_derive_Reals. apply (is_derive_minus (fun p => 2 * p) hh u 2); [|apply derive_hh; lra].
     auto_derive; auto. ring. }
   pose proof (A_pos u ltac:(lra)). pose proof (sin_gt_0 u ltac:(lra) ltac:(lra)) as S.
-  pose proof (cos_ge_0 u ltac:(lra) ltac:(lra)). pose proof (sin2_cos2 u) as SC.
+  pose proof (cos_ge_0 u ltac:(lra) ltac:(lra)).
   assert (2 - depth u * (1 + ct u ^ 2) = 2 * ((u - sin u * cos u) * cos u / sin u ^ 3)).
-  { unfold depth, ct. field_simplify_eq; [|lra].
-    rewrite ?pow2e, ?pow3e. nsatz. }
+  { unfold depth, ct. trig u. }
   assert (0 <= (u - sin u * cos u) * cos u / sin u ^ 3) by positive. nra.
 Qed.
 
 (** the depth, the push and the half angle: the speed at re-entry *)
 Lemma back_identity p : 0 < p < PI -> (2 * p - hh p) ^ 2 = hh p ^ 2 + 2 * depth p - depth p ^ 2.
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  assert (Z : depth p ^ 2 - 2 * depth p - 4 * p * hh p + 4 * p ^ 2 = 4 * p ^ 2 * (sin p * sin p + cos p * cos p - 1) / sin p ^ 2)
-    by (unfold depth, hh; field; lra). rewrite SC in Z. lra.
-Qed.
+Proof. intros Hp. unfold hh, depth. trig p. Qed.
 (** an arc cosine is between its sine and its tangent *)
 Lemma acos_between z : 0 < z <= 1 -> sqrt (1 - z ^ 2) <= acos z <= sqrt (1 - z ^ 2) / z.
 Proof.

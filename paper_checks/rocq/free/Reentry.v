@@ -16,8 +16,7 @@ Proof.
     apply Rmult_eq_reg_l with (ct p); [|lra].
     (* 2 (h~ + h) = 2 pi (1 + k^2); the theta's cancel *)
     pose proof (half_depth (PI - p) ltac:(lra)) as Hd'. rewrite ct_mirror in Hd' by lra.
-    assert (Q : hh p = p * (1 + ct p ^ 2) - ct p). { rewrite inv_sin2 by lra. pose proof (sin2_cos2 p) as SC.
-      unfold hh, ct. field. lra. }
+    assert (Q : hh p = p * (1 + ct p ^ 2) - ct p) by (unfold hh, ct; trig p).
     assert (Q' : hh (PI - p) = (PI - p) * (1 + ct p ^ 2) + ct p) by lra. rewrite Q' in T. lra. }
   assert (Le : depth pc <= depth (PI - p))
     by (destruct (Req_dec pc (PI - p)) as [<-|]; [|apply Rlt_le, depth_incr]; lra).

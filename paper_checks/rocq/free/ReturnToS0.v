@@ -46,7 +46,7 @@ Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H)
 Lemma gap_level k d u t : k = 1 \/ k = -1 -> at_gap m1 m2 a2 b k d u x v1 v2 t ->
   E t = Ecr * (1 + q * (u ^ 2 + 2 * d + q * d ^ 2)).
 Proof.
-  intros Hk (A & B & C). pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 u) as R. cbv zeta in R. fold q L Ecr in R, A.
+  intros Hk (A & B & C). pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 u) as R. fold q L Ecr in R, A.
   assert (V : v2 t = v1 t) by (destruct Hk; subst k; lra). unfold E. rewrite V.
   replace (energy m1 m2 a2 (x t) (v1 t) (v1 t)) with (energy m1 m2 a2 (k * x t) (k * v1 t) (k * v1 t))
     by (unfold energy; destruct Hk; subst k; field).
@@ -94,20 +94,19 @@ Lemma crossing_long k d p t0 e : k = 1 \/ k = -1 -> 0 <= t0 -> 0 <= d -> 0 < p <
 Proof.
   intros Hk Ht Hd Hp He Hep HG HD. assert (T0 : 0 < 2 * p / o1) by positive.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & _ & A & _).
-  destruct HG as (A0 & _). fold o1 q L in A, A0. fold q in A. assert (V0 : 0 < sqrt (2 * e / m1)) by positive.
+  destruct HG as (A0 & _). fold o1 q L in A, A0.
   pose proof (path t0 (t0 + 2 * p / o1) e ltac:(lra) He) as P. set (t1 := t0 + 2 * p / o1) in *.
     set (V := sqrt (2 * e / m1)) in *.
   assert (Far : 2 * L <= Rabs (x t1 - x t0)).
   { assert (Q : 2 < q * (depth p + d)). { apply Rmult_lt_reg_l with (/ q); [positive|].
-      rewrite <- Rmult_assoc, Rinv_l, Rmult_1_l by lra. unfold Rdiv in HD. lra. }
+      rewrite <- Rmult_assoc, Rinv_l, Rmult_1_l by lra. lra. }
     assert (0 <= q * d) by positive.
-    assert (B : k * (x t0 - x t1) = L * (q * d + q * (depth p + d))) by (rewrite Rmult_minus_distr_l, A, A0; ring).
     assert (L * 2 <= L * (q * d + q * (depth p + d))) by scale.
-    rewrite Rabs_minus_sym. destruct Hk; subst k; unfold Rabs; destruct Rcase_abs; lra. }
-  replace (t1 - t0) with (2 * p / o1) in P by (unfold t1; ring). unfold least_angle. fold V.
+    destruct Hk; subst k; unfold Rabs; destruct Rcase_abs; lra. }
+  replace (t1 - t0) with (2 * p / o1) in P by (unfold t1; ring). fold V.
   apply Rle_trans with (1 := Rmin_r _ _). undivide V. apply Rmult_le_reg_r with (2 / o1); [positive|].
   replace (o1 * L * (2 / o1)) with (2 * L) by (field; lra).
-    replace (p * V * (2 / o1)) with (V * (2 * p / o1)) by (field; lra). lra.
+    lra.
 Qed.
 
 (** and it costs at least this *)
@@ -132,10 +131,9 @@ Proof.
   assert (D2 : depth (least_angle e) ^ 2 <= depth p * (depth p + 2 * d)).
   { assert (depth (least_angle e) ^ 2 <= depth p ^ 2) by (apply pow_incr; lra).
     assert (0 <= depth p * d) by positive. lra. }
-  assert (F : 0 < Ecr * (q * r)) by positive.
   change (energy m1 m2 a2 (x (t0 + 2 * p / o1)) (v1 (t0 + 2 * p / o1)) (v2 (t0 + 2 * p / o1))) with (E (t0 + 2 * p
     / o1)) in B.
-  rewrite B, A. unfold least_cost.
+  unfold least_cost.
   assert (Ecr * (q * r) * depth (least_angle e) ^ 2 <= Ecr * (q * r) * (depth p * (depth p + 2 * d))) by scale. lra.
 Qed.
 
@@ -159,7 +157,7 @@ Proof.
   - exfalso. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t1) (v1 t1) (v2 t1)). unfold E in *. simpl in En. lra.
   - destruct (crossing m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG Out) as (D' & _ & G' & _).
     fold q o1 in D', G'. fold t1 in G'. rewrite S_INR in En.
-    assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra). assert (T1' : 0 <= t1) by (unfold t1; lra).
+    assert (Hk' : - k = 1 \/ - k = -1) by lra. assert (T1' : 0 <= t1) by positive.
     destruct (IH _ _ _ t1 Hk' T1' (or_introl D') G' ltac:(lra) ltac:(lra)) as (t & F & Soon).
     exists t. split; [|rewrite S_INR; unfold t1 in Soon; lra]. apply fr_cross with t1; auto. intros I.
       destruct G' as (X1 & _). fold q L in X1.
@@ -172,9 +170,7 @@ Theorem returns k d u t0 : k = 1 \/ k = -1 -> 0 <= t0 -> (0 < d \/ (d = 0 /\ 0 <
   at_gap m1 m2 a2 b k d u x v1 v2 t0 -> exists t, first_reentry L x v1 v2 t0 t.
 Proof.
   intros Hk Ht Hd HG. pose proof (gap_level k d u t0 Hk HG) as A. assert (Ep : 0 < E t0).
-  { rewrite A. apply Rmult_lt_0_compat; [exact E0|]. pose proof (pow2_ge_0 u). pose proof (pow2_ge_0 d).
-    assert (0 <= q * d ^ 2) by (apply Rmult_le_pos; lra).
-    assert (0 <= q * (u ^ 2 + 2 * d + q * d ^ 2)) by (apply Rmult_le_pos; lra). lra. }
+  { rewrite A. apply Rmult_lt_0_compat; [exact E0|]. assert (0 <= q * (u ^ 2 + 2 * d + q * d ^ 2)) by positive. lra. }
   pose proof (least_cost_pos (E t0) Ep) as C. destruct (nat_above (E t0) _ C) as (n & Hn).
   destruct (returns_paid (E t0) n Ep k d u t0) as (t & F & _); auto; try lra. exists t; auto.
 Qed.

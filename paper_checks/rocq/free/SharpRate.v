@@ -140,41 +140,36 @@ Qed.
 (** *** The sharp law in the time *)
 Theorem sharp_from_ray : is_lim (fun t => t * (E t - Ecr)) p_infty (Ecr * rate).
 Proof.
-  pose proof Ecr_pos as E0. set (K := PI / om * (4 / (9 * r))). assert (G : is_lim_seq (fun n => tm n * y n) K).
-  { apply is_lim_seq_ext_loc with (fun n => tm n / INR n * (INR n * y n)).
-    { exists 1%nat. intros n Hn. field. apply not_0_INR. lia. }
-    apply is_lim_seq_mult'; [apply time_rate|apply level_rate]. }
-  assert (Up : is_lim_seq (fun n => tm (S n) * y n) K).
-  { apply is_lim_seq_ext with (fun n => tm n * y n + cy n * y n). { intros n. rewrite tm_S. ring. }
-    replace (Finite K) with (Finite (K + PI / om * 0)) by (f_equal; ring).
-    apply is_lim_seq_plus'; auto. apply is_lim_seq_mult'; [apply cy_limit|apply level_to_zero]. }
-  assert (Lo : is_lim_seq (fun n => tm n * y (S n)) K).
-  { apply is_lim_seq_ext with (fun n => tm (S n) * y (S n) - cy n * y (S n)). { intros n. rewrite tm_S. ring. }
-    replace (Finite K) with (Finite (K - PI / om * 0)) by (f_equal; ring).
-    apply is_lim_seq_minus'; [apply (is_lim_seq_incr_1 (fun n => tm n * y n)); auto|].
-    apply is_lim_seq_mult'; [apply cy_limit|apply (is_lim_seq_incr_1 y); apply level_to_zero]. }
-  assert (EK : Ecr * rate = Ecr * q * K).
-  { unfold rate, K. rewrite <- root_inv by lra. fold M. change (sqrt (a2 / M)) with om. unfold q, r.
-    assert (0 < M) by positive. field. repeat split; lra. }
-  apply is_lim_spec. intros eps. assert (C0 : 0 < Ecr * q) by positive.
-  assert (He : 0 < eps / (Ecr * q)) by (apply Rdiv_lt_0_compat; [apply cond_pos|auto]).
-  apply is_lim_seq_spec in Up. apply is_lim_seq_spec in Lo. destruct (Up (mkposreal _ He)) as (N1 & K1).
-  destruct (Lo (mkposreal _ He)) as (N2 & K2). simpl in K1, K2. exists (tm (Nat.max N1 N2)). intros t Hlt.
+  pose proof Ecr_pos as E0. set (F n := Ecr * q * y n). assert (C0 : 0 < Ecr * q) by positive.
+  assert (Fp : forall n, 0 < F n /\ E (tm n) - Ecr = F n).
+  { intros n. pose proof (y_plus n). rewrite exit_level. unfold F. split; [positive|ring]. }
+  assert (F0 : is_lim_seq F 0).
+  { replace (Finite 0) with (Rbar_mult (Ecr * q) 0) by (simpl; f_equal; ring). apply is_lim_seq_scal_l, level_to_zero. }
+  assert (G : is_lim_seq (fun n => tm n * F n) (Ecr * rate)).
+  { replace (Ecr * rate) with (PI / om * (Ecr * q * (4 / (9 * r)))).
+    2: { unfold rate. rewrite <- root_inv by lra. fold M. change (sqrt (a2 / M)) with om. unfold q, r.
+      assert (0 < M) by positive. field. repeat split; lra. }
+    apply is_lim_seq_ext_loc with (fun n => tm n / INR n * (Ecr * q * (INR n * y n))).
+    { exists 1%nat. intros n Hn. unfold F. field. apply not_0_INR. lia. }
+    apply is_lim_seq_mult'; [apply time_rate|apply (is_lim_seq_scal_l _ (Ecr * q) (4 / (9 * r))), level_rate]. }
+  assert (Up : is_lim_seq (fun n => tm (S n) * F n) (Ecr * rate)).
+  { apply is_lim_seq_ext with (fun n => tm n * F n + cy n * F n). { intros n. rewrite tm_S. ring. }
+    replace (Ecr * rate) with (Ecr * rate + PI / om * 0) by ring.
+    apply is_lim_seq_plus'; auto. apply is_lim_seq_mult'; [apply cy_limit|auto]. }
+  assert (Lo : is_lim_seq (fun n => tm n * F (S n)) (Ecr * rate)).
+  { apply is_lim_seq_ext with (fun n => tm (S n) * F (S n) - cy n * F (S n)). { intros n. rewrite tm_S. ring. }
+    replace (Ecr * rate) with (Ecr * rate - PI / om * 0) by ring.
+    apply is_lim_seq_minus'; [apply (is_lim_seq_incr_1 (fun n => tm n * F n)); auto|].
+    apply is_lim_seq_mult'; [apply cy_limit|apply (is_lim_seq_incr_1 F); auto]. }
+  apply is_lim_spec. intros eps. apply is_lim_seq_spec in Up. apply is_lim_seq_spec in Lo.
+  destruct (Up eps) as (N1 & K1). destruct (Lo eps) as (N2 & K2). exists (tm (Nat.max N1 N2)). intros t Hlt.
   destruct (in_cycle (Nat.max N1 N2) t ltac:(lra)) as (n & Hn & Hb1 & Hb2). specialize (K1 n ltac:(lia)).
-  specialize (K2 n ltac:(lia)). pose proof (tm_from n) as T0. pose proof (y_plus n) as Y0.
-  pose proof (y_plus (S n)) as Y1. pose proof (E_falls (tm n) t ltac:(lra)) as F1.
-  pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2. rewrite exit_level in F1, F2.
-  apply Rabs_def2 in K1. apply Rabs_def2 in K2. assert (B1 : t * (E t - Ecr) <= Ecr * q * (tm (S n) * y n)).
-  { apply Rle_trans with (t * (Ecr * q * y n)); [scale|].
-    replace (Ecr * q * (tm (S n) * y n)) with (tm (S n) * (Ecr * q * y n)) by ring. apply Rmult_le_compat_r; auto.
-      apply Rlt_le, Rmult_lt_0_compat; auto. }
-  assert (B2 : Ecr * q * (tm n * y (S n)) <= t * (E t - Ecr)).
-  { apply Rle_trans with (t * (Ecr * q * y (S n))); [|scale].
-    replace (Ecr * q * (tm n * y (S n))) with (tm n * (Ecr * q * y (S n))) by ring. apply Rmult_le_compat_r; auto.
-      apply Rlt_le, Rmult_lt_0_compat; auto. }
-  assert (EE : Ecr * q * (eps / (Ecr * q)) = eps) by (field; lra). apply Rabs_def1.
-  - assert (Ecr * q * (tm (S n) * y n - K) < Ecr * q * (eps / (Ecr * q))) by scale. lra.
-  - assert (Ecr * q * (- (eps / (Ecr * q))) < Ecr * q * (tm n * y (S n) - K)) by scale. lra.
+  specialize (K2 n ltac:(lia)). pose proof (tm_from n) as T0. pose proof (E_falls (tm n) t ltac:(lra)) as F1.
+  pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2. destruct (Fp n) as (P1 & Q1), (Fp (S n)) as (P2 & Q2).
+  apply Rabs_def2 in K1. apply Rabs_def2 in K2.
+  assert (t * (E t - Ecr) <= t * F n) by scale. assert (t * F n <= tm (S n) * F n) by scale.
+  assert (t * F (S n) <= t * (E t - Ecr)) by scale. assert (tm n * F (S n) <= t * F (S n)) by scale.
+  apply Rabs_def1; lra.
 Qed.
 (** *** Bounds in the time, from the exit at t0: by what 1/y gains in a cycle, and by how long a cycle takes *)
 Theorem between a Tu t : 0 <= a -> (forall n, a <= / y (S n) - / y n) -> (forall n, 0 < om * cy n <= Tu) -> t0 <= t ->

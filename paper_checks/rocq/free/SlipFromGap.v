@@ -58,14 +58,7 @@ Lemma push_0 p : push 0 p = hh p. Proof. unfold push. ring. Qed.
 
 (** A1: theta - u = h + k D, with D = c + d, k = cot p, theta = 2 p, u = h - k d *)
 Theorem next_push d p : 0 < p < PI -> 2 * p - push d p = hh p + ct p * (depth p + d).
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  unfold push, hh, ct, depth. apply Rmult_eq_reg_r with (sin p ^ 2); [|apply pow_nonzero; lra].
-  replace ((2 * p - ((p - sin p * cos p) / sin p ^ 2 - d * (cos p / sin p))) * sin p ^ 2)
-    with (2 * p * (sin p * sin p) - (p - sin p * cos p) + d * cos p * sin p) by (field; lra).
-  replace (((p - sin p * cos p) / sin p ^ 2 + cos p / sin p * (2 * (sin p - p * cos p) / sin p + d)) * sin p ^ 2)
-    with (p - sin p * cos p + 2 * cos p * sin p - 2 * p * (cos p * cos p) + d * cos p * sin p) by (field; lra). nra.
-Qed.
+Proof. intros Hp. unfold push, hh, ct, depth. trig p. Qed.
 
 Section Gap.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -126,22 +119,14 @@ Lemma gap_end d p : 0 < p < PI -> let D := depth p + d in
   Gx d (push d p) (2 * p / o1) = L * (1 - q * D) /\
   G1 d (push d p) (2 * p / o1) = - ray (hh p + ct p * D) /\ G2 (push d p) (2 * p / o1) = - ray (hh p + ct p * D).
 Proof.
-  intros Hp D. assert (O : 0 < o1) by (apply o1_pos; auto). pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
-  pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
+  intros Hp D. assert (O : 0 < o1) by (apply o1_pos; auto).
   assert (A1 : push d p - 2 * p = - (hh p + ct p * D)) by (unfold D; rewrite <- next_push; auto; ring).
-  unfold Gx, G1, G2. replace (o1 * (2 * p / o1)) with (2 * p) by (field; lra). rewrite cos_2a_sin, sin_2a.
-  assert (U : push d p * (sin p * sin p) = p - sin p * cos p - d * (sin p * cos p)) by (unfold push, hh, ct;
-    field; lra).
-  assert (E1 : push d p * (1 - 2 * sin p * sin p) - (1 + d) * (2 * sin p * cos p) = push d p - 2 * p) by lra.
-  assert (E2 : (1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p) = 1 - D).
-  { unfold D, depth. apply Rmult_eq_reg_r with (sin p); [|lra].
-    replace ((1 - (2 * (sin p - p * cos p) / sin p + d)) * sin p) with (sin p - 2 * (sin p - p * cos p) - d * sin
-      p) by (field; lra).
-    replace (((1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p)) * sin p)
-      with ((1 + d) * (sin p - 2 * sin p * (sin p * sin p)) + 2 * cos p * (push d p * (sin p * sin p))) by ring.
-        rewrite U.
-    replace (sin p * sin p) with (1 - cos p * cos p) by lra. ring. }
-  rewrite E1, E2, A1. unfold ray, Cycle.ray. fold o1. split; [|split; ring].
+  assert (E1 : push d p * (1 - 2 * sin p * sin p) - (1 + d) * (2 * sin p * cos p) = push d p - 2 * p)
+    by (unfold push, hh, ct; trig p).
+  assert (E2 : (1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p) = 1 - D)
+    by (unfold D, push, hh, ct, depth; trig p).
+  unfold Gx, G1, G2. replace (o1 * (2 * p / o1)) with (2 * p) by (field; lra).
+  rewrite cos_2a_sin, sin_2a, E1, E2, A1. unfold ray, Cycle.ray. fold o1. split; [|split; ring].
   unfold L, Stick.L, q, M. field. repeat split; lra.
 Qed.
 
@@ -238,28 +223,17 @@ End Gap.
 (** derivatives in p: h' = c (1 + k^2), k' = -(1 + k^2), c' = 2 h; so (h + 2 k/q)' = (c - 2/q)(1 + k^2) (twice the one
     in theta) *)
 Lemma inv_sin2 p : 0 < p < PI -> 1 + ct p ^ 2 = / sin p ^ 2.
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC.
-  unfold Rsqr in SC. unfold ct.
-  replace (1 + (cos p / sin p) ^ 2) with ((sin p * sin p + cos p * cos p) / sin p ^ 2) by (field; lra). rewrite SC. lra.
-Qed.
+Proof. intros Hp. unfold ct. trig p. Qed.
 (** 1 - h k = c (1 + k^2) / 2 *)
 Lemma half_depth p : 0 < p < PI -> depth p * (1 + ct p ^ 2) = 2 * (1 - hh p * ct p).
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  rewrite inv_sin2 by auto. unfold hh, ct, depth. apply Rmult_eq_reg_r with (sin p ^ 3); [|apply pow_nonzero; lra].
-  replace (2 * (1 - (p - sin p * cos p) / sin p ^ 2 * (cos p / sin p)) * sin p ^ 3)
-    with (2 * (sin p * (sin p * sin p + cos p * cos p) - p * cos p)) by (field; lra). rewrite SC. field. lra.
-Qed.
+Proof. intros Hp. unfold hh, ct, depth. trig p. Qed.
 
 (** the level after a slip is the level before it minus r c (c + 2 d) *)
 Lemma level_loss m1 m2 p d : 0 < m1 -> 0 < m2 -> 0 < p < PI ->
   level m1 m2 p d = push d p ^ 2 + 2 * d + m1 / (m1 + m2) * d ^ 2 - m2 / (m1 + m2) * (depth p * (depth p + 2 * d)).
 Proof.
-  intros H1 H2 Hp. pose proof (half_depth p Hp) as I. unfold level, push.
-  replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra). set (c := depth p) in *. set (h := hh p) in *.
-  set (k := ct p) in *. apply Rminus_diag_uniq. rewrite <- (Rmult_0_r (c + 2 * d)).
-  replace 0 with (c * (1 + k ^ 2) - 2 * (1 - h * k)) at 1 by lra. ring.
+  intros H1 H2 Hp. unfold level, push. replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra).
+  generalize (m1 / (m1 + m2)). intros q. unfold hh, ct, depth. trig p.
 Qed.
 (** with no gap that of the return map *)
 Lemma level_0 m1 m2 p : 0 < m1 -> 0 < m2 -> 0 < p < PI -> level m1 m2 p 0 = hh p ^ 2 - m2 / (m1 + m2) * depth p ^ 2.

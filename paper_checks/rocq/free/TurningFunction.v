@@ -74,12 +74,8 @@ Lemma derive_ratio p : 0 < p < PI ->
   is_derive (fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p))) p
     ((2 * (sin p - p * cos p) ^ 2 - (p - sin p * cos p) ^ 2) / (2 * sin p ^ 2 * (sin p - p * cos p) ^ 2)).
 Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp) as G. auto_derive. { nra. }
-  pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. set (s := sin p) in *. set (c := cos p) in *.
-  assert (Main : 2 * s ^ 3 * (s - p * c) - (p - s * c) * (c * (s - p * c) + p * s ^ 2) = 2 * (s - p * c) ^ 2 - (p - s *
-    c) ^ 2).
-  { rewrite ?pow2e, ?pow3e. nsatz. }
-  rewrite <- Main. replace (1 + - (1 * c * c + s * (1 * - s))) with (2 * s * s) by lra. field. lra.
+  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp) as G. auto_derive; [nra|].
+  circle p. field_simplify_eq; [simpl; nsatz|lra].
 Qed.
 
 (** h/c falls strictly while K > 0 and rises strictly while K < 0 *)
