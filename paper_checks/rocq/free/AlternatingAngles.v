@@ -17,9 +17,7 @@ Proof.
 Qed.
 (** c' = 2 h, in the half angle *)
 Lemma derive_depth p : 0 < p < PI -> is_derive depth p (2 * hh p).
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. unfold hh, depth. auto_derive; [lra|trig p].
-Qed.
+Proof. intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. unfold hh, depth. auto_derive; [lra|trig p]. Qed.
 (** A2 *)
 Theorem derive_push_next q p : 0 < q -> 0 < p < PI ->
   is_derive (fun p => hh p + 2 * ct p / q) p ((depth p - 2 / q) * (1 + ct p ^ 2)).
@@ -44,9 +42,8 @@ Lemma ct_half_pi : ct (PI / 2) = 0. Proof. unfold ct. rewrite cos_PI2, sin_PI2. 
 (** the slope increases beyond pi/2: P is convex there *)
 Lemma dP_incr u v : PI / 2 <= u -> u < v -> v < PI -> dP u < dP v.
 Proof.
-  intros. pose proof (ct_falls u v ltac:(lra) ltac:(lra) ltac:(lra)) as F.
-  assert (U : ct u <= 0). { rewrite <- ct_half_pi. destruct (Req_dec (PI / 2) u) as [<-|]; [lra|].
-    apply Rlt_le, ct_falls; lra. }
+  intros. pose proof (ct_falls u v ltac:(lra) ltac:(lra) ltac:(lra)) as F. assert (U : ct u <= 0).
+  { rewrite <- ct_half_pi. destruct (Req_dec (PI / 2) u) as [<-|]; [lra|]. apply Rlt_le, ct_falls; lra. }
   unfold dP. set (A := - ct u). set (B := - ct v). assert (0 <= A < B) by (unfold A, B; lra).
   replace (- (2 * PI * ct u * (1 + ct u ^ 2)) - 2) with (2 * PI * (A * (1 + A ^ 2)) - 2) by (unfold A; ring).
   replace (- (2 * PI * ct v * (1 + ct v ^ 2)) - 2) with (2 * PI * (B * (1 + B ^ 2)) - 2) by (unfold B; ring).
@@ -65,22 +62,20 @@ Qed.
 Theorem P_sign p : PI / 2 < p < PI -> (0 <= Pf p <-> / sqrt 3 <= - ct p).
 Proof.
   intros Hp. destruct P_zeros as (Z1 & Z2). set (z := 2 * (PI / 3)) in *.
-    assert (Hz : PI / 2 < z < PI) by (unfold z; lra).
+  assert (Hz : PI / 2 < z < PI) by (unfold z; lra).
   assert (Mvt : forall u v, PI / 2 <= u -> u < v -> v < PI -> exists t, Pf v - Pf u = dP t * (v - u) /\ u < t < v).
   { intros u v Hu Huv Hv. apply (MVT_cor2 Pf dP u v Huv). intros t Ht. apply is_derive_Reals, derive_P; lra. }
   assert (Iff : 0 <= Pf p <-> z <= p).
   { split; intros Q.
     - destruct (Rle_dec z p) as [|n]; auto. exfalso.
       destruct (Mvt (PI / 2) p ltac:(lra) ltac:(lra) ltac:(lra)) as (t1 & E1 & T1).
-        destruct (Mvt p z ltac:(lra) ltac:(lra) ltac:(lra)) as (t2 & E2 & T2).
-      pose proof (dP_incr t1 t2 ltac:(lra) ltac:(lra) ltac:(lra)).
-      assert (0 <= dP t1). { nra. }
-      assert (dP t2 <= 0). { nra. } lra.
+      destruct (Mvt p z ltac:(lra) ltac:(lra) ltac:(lra)) as (t2 & E2 & T2).
+      pose proof (dP_incr t1 t2 ltac:(lra) ltac:(lra) ltac:(lra)). assert (0 <= dP t1) by nra.
+      assert (dP t2 <= 0) by nra. lra.
     - destruct (Req_dec z p) as [<-|]; [lra|].
       destruct (Mvt (PI / 2) z ltac:(lra) ltac:(lra) ltac:(lra)) as (t1 & E1 & T1).
-        destruct (Mvt z p ltac:(lra) ltac:(lra) ltac:(lra)) as (t2 & E2 & T2).
-      pose proof (dP_incr t1 t2 ltac:(lra) ltac:(lra) ltac:(lra)).
-      assert (dP t1 = 0). { nra. }
+      destruct (Mvt z p ltac:(lra) ltac:(lra) ltac:(lra)) as (t2 & E2 & T2).
+      pose proof (dP_incr t1 t2 ltac:(lra) ltac:(lra) ltac:(lra)). assert (dP t1 = 0) by nra.
       assert (0 < dP t2 * (p - z)) by positive. lra. }
   rewrite Iff. assert (C : / sqrt 3 = - ct z) by (unfold z; rewrite ct_2PI3; ring). split; intros Q.
   - destruct (Req_dec z p) as [<-|]; [lra|]. pose proof (ct_falls z p ltac:(lra) ltac:(lra) ltac:(lra)). lra.
@@ -108,8 +103,7 @@ Context (q pc : R) (Hq : 0 < q) (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / q)
 (** (a) after a long slip (p >= pc) that crosses, the next contact function at theta~ is at least P *)
 Lemma long_value d p : 0 <= d -> pc <= p < PI -> Pf pc <= push (depth p + d - 2 / q) (PI - pc) - (2 * p - push d p).
 Proof.
-  intros Hd Hp.
-  assert (K : ct p <= ct pc). { destruct (Req_dec pc p) as [<-|]; [lra|]. apply Rlt_le, ct_falls; lra. }
+  intros Hd Hp. assert (K : ct p <= ct pc). { destruct (Req_dec pc p) as [<-|]; [lra|]. apply Rlt_le, ct_falls; lra. }
   set (G := fun p => hh (PI - pc) + hh p - 2 * p + ct pc * (depth p - 2 / q)).
   assert (G0 : G pc = Pf pc). { unfold G, Pf. rewrite Dc. pose proof (hh_mirror pc ltac:(lra)). lra. }
   assert (GI : G pc <= G p).
@@ -143,8 +137,7 @@ Lemma short_value d p : 0 < p <= PI - pc -> 2 / q <= depth p + d ->
   hh pc + Pf pc <= (2 * p - push d p) + ct pc * (depth p + d - 2 / q).
 Proof.
   intros Hp HD. rewrite next_push by lra. set (e := depth p + d - 2 / q).
-    replace (depth p + d) with (e + 2 / q) by (unfold e; ring).
-  pose proof (ct_mirror pc ltac:(lra)) as Cm.
+  replace (depth p + d) with (e + 2 / q) by (unfold e; ring). pose proof (ct_mirror pc ltac:(lra)) as Cm.
   assert (K : - ct pc <= ct p). { rewrite <- Cm. destruct (Req_dec p (PI - pc)) as [->|]; [lra|].
     apply Rlt_le, ct_falls; lra. }
   set (F := fun p => hh p + 2 * ct p / q). assert (FI : F (PI - pc) <= F p).
@@ -154,12 +147,9 @@ Proof.
     assert (depth t < 2 / q). { rewrite <- Dc. apply depth_incr; lra. }
     assert (0 <= (2 / q - depth t) * (1 + ct t ^ 2) * (PI - pc - p)) by positive. lra. }
   assert (Fv : F (PI - pc) = hh pc + Pf pc).
-  { unfold F. rewrite Cm. pose proof (hh_mirror pc ltac:(lra)). pose proof (two_hh pc ltac:(lra)) as T.
-    rewrite Dc in T. unfold Pf.
-    lra. }
-  rewrite <- Fv. apply Rle_trans with (1 := FI). unfold F.
-    assert (0 <= (ct p + ct pc) * e) by positive.
-  lra.
+  { unfold F. rewrite Cm. pose proof (hh_mirror pc ltac:(lra)). pose proof (two_hh pc ltac:(lra)) as T. rewrite Dc in T.
+    unfold Pf. lra. }
+  rewrite <- Fv. apply Rle_trans with (1 := FI). unfold F. assert (0 <= (ct p + ct pc) * e) by positive. lra.
 Qed.
 (** so the next slip is long *)
 Theorem short_to_long d p p' : 0 <= Pf pc -> 0 < p <= PI - pc -> 2 / q <= depth p + d -> 0 < p' < PI ->

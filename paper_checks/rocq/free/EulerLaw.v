@@ -104,18 +104,17 @@ Proof.
     { unfold dx, d1, d2. field. }
     rewrite F1, F2. unfold rest. rewrite F3 at 1. unfold w. ring. }
   assert (CS : a2 * V1 * Dx k + m1 * A1 * D1 k + m2 * A2 * D2 k <= C * (C + C') * k).
-  {
-    assert (Q : a2 * V1 * - (x (t + k) - x t) + m1 * A1 * - (v1 (t + k) - v1 t) + m2 * A2 * - (v2 (t + k) - v2 t) <= C * (C' * k)).
-    { apply energy_schwarz; auto; [apply Rmult_le_pos; lra|]. pose proof (Lip t (t + k) ltac:(lra)) as L.
-      lra. }
+  { assert (Q : a2 * V1 * - (x (t + k) - x t) + m1 * A1 * - (v1 (t + k) - v1 t) + m2 * A2 * - (v2 (t + k) - v2 t) <= C *
+      (C' * k)).
+    { apply energy_schwarz; auto; [apply Rmult_le_pos; lra|]. pose proof (Lip t (t + k) ltac:(lra)) as L. lra. }
     assert (S : k * (a2 * V1 ^ 2 + m1 * A1 ^ 2 + m2 * A2 ^ 2) <= k * C ^ 2) by (apply Rmult_le_compat_l; lra).
     unfold Dx, D1, D2. lra. }
   apply (Rmult_le_compat_l t) in CS; auto.
   assert (Mo : b * ((g * k - ds k) * (V1 - V2 - w)) >= - (e / 4) * k).
   { apply Rle_ge. replace (- (e / 4) * k) with (b * (- (e / (4 * b)) * k)) by (field; lra). apply Rmult_le_compat_l; [lra|].
     replace (g * k - ds k) with (g * (t + k) - g * t - (s (t + k) - s t)) by (unfold ds; ring). exact K1. }
-  pose proof (pow2_ge_0 (V1 - v1 t)) as Sq. apply (Rmult_le_compat_l a1) in Sq; auto. apply (Rmult_le_compat_r k) in Sq; [|lra].
-  nra.
+  pose proof (pow2_ge_0 (V1 - v1 t)) as Sq. apply (Rmult_le_compat_l a1) in Sq; auto.
+  apply (Rmult_le_compat_r k) in Sq; [|lra]. nra.
 Qed.
 
 (** so over a step by h^2 C (C + C') / 2 *)

@@ -93,9 +93,8 @@ Qed.
 (** [h-increases] $h$ increases on $(0,2\pi)$: no two slip angles have the same exit speed. *)
 Theorem h_increases u v : 0 < u -> u < v -> v < 2 * PI -> h u < h v.
 Proof.
-  apply (incr_function h 0 (2 * PI) (fun t => (2 - 2 * cos t - t * sin t) / (1 - cos t) ^ 2)); try (simpl; lra);
-    intros t T0 T1; simpl in T0, T1; [apply h_rate; lra|].
-  apply Rdiv_lt_0_compat; [apply N_pos|apply pow_lt, one_cos]; lra.
+  apply (incr_function h 0 (2 * PI) (fun t => (2 - 2 * cos t - t * sin t) / (1 - cos t) ^ 2)); try (simpl; lra); intros
+    t T0 T1; simpl in T0, T1; [apply h_rate; lra|]. apply Rdiv_lt_0_compat; [apply N_pos|apply pow_lt, one_cos]; lra.
 Qed.
 
 (** *** inequalities in the half angle *)

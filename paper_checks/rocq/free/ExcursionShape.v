@@ -29,17 +29,15 @@ Proof.
   - intros t T0 T1. simpl in T0, T1. apply N_pos. lra.
 Qed.
 Lemma h_small u : 0 < u <= PI -> h u <= u.
-Proof.
-  intros Hu. pose proof (one_cos u ltac:(lra)). undivide (1 - cos u). pose proof (g_nonneg u ltac:(lra)). lra.
-Qed.
+Proof. intros Hu. pose proof (one_cos u ltac:(lra)). undivide (1 - cos u). pose proof (g_nonneg u ltac:(lra)). lra. Qed.
 
 (** *** c *)
 Definition c u := depth (u / 2).
 Lemma c_derive u : 0 < u < 2 * PI -> is_derive c u (h u).
 Proof.
   intros Hu. pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)).
-  replace (h u) with (hh (u / 2)) by (rewrite hh_h by lra; f_equal; field).
-  unfold c, depth, hh. auto_derive; change (u * / 2) with (u / 2); [lra|trig (u / 2)].
+  replace (h u) with (hh (u / 2)) by (rewrite hh_h by lra; f_equal; field). unfold c, depth, hh.
+  auto_derive; change (u * / 2) with (u / 2); [lra|trig (u / 2)].
 Qed.
 Lemma h_pos u : 0 < u < 2 * PI -> 0 < h u.
 Proof. intros Hu. replace u with (2 * (u / 2)) by field. rewrite <- hh_h by lra. apply hh_pos. lra. Qed.
@@ -54,7 +52,8 @@ Proof.
 Qed.
 Lemma c_increases u v : 0 < u -> u < v -> v < 2 * PI -> c u < c v.
 Proof.
-  apply (incr_function c 0 (2 * PI) h); try (simpl; lra); intros t T0 T1; simpl in T0, T1; [apply c_derive; lra|apply h_pos; lra].
+  apply (incr_function c 0 (2 * PI) h); try (simpl; lra); intros t T0 T1; simpl in T0, T1; [apply c_derive; lra|apply
+    h_pos; lra].
 Qed.
 
 (** [excursion-rise] $h$ increases on $(0,2\pi)$, takes every positive value once and has $h''>0$; $h-d\cot(\theta/2)$
@@ -65,8 +64,8 @@ Theorem rise : (forall u, 0 < u < 2 * PI -> is_derive h u (h1 u) /\ 0 < h1 u /\ 
 Proof.
   split; [intros u Hu; auto using h_derive, h1_pos, h1_derive, h2_pos|]. split; [|split; [exact h_pos|exact push_incr]].
   intros y Hy. apply one_angle; [apply h_increases|]. pose proof PI_RGT_0. pose proof PI_4. set (u0 := Rmin (y / 2) 1).
-  pose proof (Rmin_l (y / 2) 1). pose proof (Rmin_r (y / 2) 1). fold u0 in H0, H1, H2 |- *. assert (U0 : 0 < u0) by positive.
-  assert (PI_gt : 1 <= PI) by (pose proof PI2_1; lra).
+  pose proof (Rmin_l (y / 2) 1). pose proof (Rmin_r (y / 2) 1). fold u0 in H0, H1, H2 |- *.
+  assert (U0 : 0 < u0) by positive. assert (PI_gt : 1 <= PI) by (pose proof PI2_1; lra).
   destruct (push_ex 0 y (u0 / 2)) as (p & Hp & E); [lra| |].
   - rewrite push_0, hh_h by lra. replace (2 * (u0 / 2)) with u0 by field. pose proof (h_small u0 ltac:(lra)). lra.
   - exists (2 * p). rewrite push_0, hh_h in E by lra. split; [lra|auto].
@@ -113,7 +112,8 @@ Proof.
     assert (Right : c w - c v <= k * (h w ^ 2 - h v ^ 2)).
     { destruct (Step v w ltac:(lra) Hvw Hw) as (m & Hm & E). pose proof (h_pos m ltac:(lra)).
       assert (h1 v <= h1 m) by (destruct (Req_dec m v) as [->|]; [lra|apply Rlt_le, Mono; lra]).
-      assert (1 <= h1 m / h1 v) by (undivide (h1 v); lra). assert (0 <= h m * (h1 m / h1 v - 1) * (w - v)) by positive. lra. }
+      assert (1 <= h1 m / h1 v) by (undivide (h1 v); lra). assert (0 <= h m * (h1 m / h1 v - 1) * (w - v)) by positive.
+      lra. }
     pose proof (h_increases u v Hu Huv ltac:(lra)). pose proof (h_increases v w ltac:(lra) Hvw Hw). pose proof (h_pos u ltac:(lra)).
     assert (P1 : 0 <= h v ^ 2 - h u ^ 2) by nra. assert (P2 : 0 <= h w ^ 2 - h v ^ 2) by nra.
     apply Rle_trans with (k * (h w ^ 2 - h v ^ 2) * (h v ^ 2 - h u ^ 2)); [apply Rmult_le_compat_r; auto|].
@@ -161,12 +161,14 @@ Proof.
   pose proof (hh_incr p p' Hp Hpp Hp') as Hh. assert (Dc : depth p < depth p').
   { pose proof (c_increases (2 * p) (2 * p') ltac:(lra) ltac:(lra) ltac:(lra)) as Q. unfold c in Q.
     replace (2 * p / 2) with p in Q by field. replace (2 * p' / 2) with p' in Q by field. exact Q. }
-  pose proof (depth_pos p ltac:(lra)) as Dp. assert (Lp : 0 < L) by (apply L_pos; auto). assert (Qp : 0 < q) by positive.
-  assert (Ep : 0 < Ecr) by (unfold Ecr; apply Ecr_pos; auto). repeat (split; [auto; fail|]). rewrite D, D', E, E'. split; [|split; [|split]].
+  pose proof (depth_pos p ltac:(lra)) as Dp. assert (Lp : 0 < L) by (apply L_pos; auto).
+  assert (Qp : 0 < q) by positive. assert (Ep : 0 < Ecr) by (unfold Ecr; apply Ecr_pos; auto).
+  repeat (split; [auto; fail|]). rewrite D, D', E, E'. split; [|split; [|split]].
   - destruct On as (_ & -> & _), On' as (_ & -> & _). apply Rmult_lt_compat_l; [positive|auto].
   - unfold e, e'. assert (2 * p / o1 < 2 * p' / o1) by (apply Rmult_lt_compat_r; [positive|lra]). lra.
   - repeat (apply Rmult_lt_compat_l; auto).
-  - assert (depth p ^ 2 < depth p' ^ 2) by nra. assert (r2 : 0 < m2 / M) by positive. repeat (apply Rmult_lt_compat_l; auto).
+  - assert (depth p ^ 2 < depth p' ^ 2) by nra. assert (r2 : 0 < m2 / M) by positive.
+    repeat (apply Rmult_lt_compat_l; auto).
 Qed.
 
 (** [one-contact] Every slip from $S$ with a gap $d\geqslant 0$ and a push $\nu$ ($\nu>0$ if $d=0$) ends at the one
@@ -226,16 +228,15 @@ Theorem leaves_by k x v1 v2 s t p v : k = 1 \/ k = -1 -> sol x v1 v2 s -> 0 <= t
 Proof.
   intros Hk H Ht Hp On De Hy Hv Zv e. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Qp : 0 < q) by positive.
   assert (Lp : 0 < L) by (apply L_pos; auto). assert (He : 0 <= e) by (unfold e; assert (0 < 2 * p / o1) by positive; lra).
-  apply ray_gap in On. rewrite <- (push_0 p) in On.
-  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t 0 p Hk H Ht (Rle_refl 0) Hp On) as (_ & _ & A & B & C & En).
-  fold o1 in A, B, C, En. fold e in A, B, C, En. fold M in A, En. fold q L in A. fold q Ecr in En. rewrite level_0 in En by auto. fold M in En.
-  assert (Xe : - L <= x e <= L) by (apply (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ 0 p Hk (Rle_refl 0) Hp A); rewrite Rplus_0_r; auto).
-  rewrite Rplus_0_r in B, C. pose proof (next_push 0 p Hp) as Np. rewrite push_0, Rplus_0_r in Np. rewrite <- Np in B, C.
-  set (y := hh p ^ 2 - m2 / M * depth p ^ 2) in *. assert (Sy : 0 < sqrt y) by positive.
+  apply ray_gap in On. rewrite <- (push_0 p) in On. destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t 0 p Hk H
+    Ht (Rle_refl 0) Hp On) as (_ & _ & A & B & C & En). fold o1 in A, B, C, En. fold e in A, B, C, En. fold M in A, En.
+  fold q L in A. fold q Ecr in En. rewrite level_0 in En by auto. fold M in En.
+  assert (Xe : - L <= x e <= L) by (apply (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ 0 p Hk (Rle_refl 0) Hp A); rewrite
+    Rplus_0_r; auto). rewrite Rplus_0_r in B, C. pose proof (next_push 0 p Hp) as Np. rewrite push_0, Rplus_0_r in Np.
+  rewrite <- Np in B, C. set (y := hh p ^ 2 - m2 / M * depth p ^ 2) in *. assert (Sy : 0 < sqrt y) by positive.
   assert (Ey : sqrt y ^ 2 = y) by (apply pow2_sqrt; lra). rewrite <- Ey in En.
-  assert (Ve : v1 e = v2 e) by (destruct Hk; subst k; lra).
-  assert (Sg : forall j, j = 1 \/ j = -1 -> j * v1 e < 0 -> exists t2 u, e <= t2 /\ 0 < u /\ on_ray m1 m2 a2 b (- j) u x v1 v2 t2 /\
-    forall r, e <= r <= t2 -> v1 r = v2 r).
+  assert (Ve : v1 e = v2 e) by (destruct Hk; subst k; lra). assert (Sg : forall j, j = 1 \/ j = -1 -> j * v1 e < 0 ->
+    exists t2 u, e <= t2 /\ 0 < u /\ on_ray m1 m2 a2 b (- j) u x v1 v2 t2 /\ forall r, e <= r <= t2 -> v1 r = v2 r).
   { intros j Hj N. destruct (to_ray_side m1 m2 a2 b Hm1 Hm2 Ha2 Hb j x v1 v2 s e (sqrt y) Hj H He Ve Xe N Sy En)
       as (t2 & T2 & R & St). exists t2, (sqrt y). split; [lra|]. split; [auto|]. split; [exact R|apply St]. }
   assert (Ray : forall z, ray z = b / (m2 * o1) * z) by auto. assert (K : 0 < b / (m2 * o1)) by positive.

@@ -15,8 +15,8 @@ Qed.
 (** and each push from a gap, or outwards from a ray *)
 Lemma push_at d u : 0 < d \/ d = 0 /\ 0 < u -> exists p, 0 < p < PI /\ push d p = u.
 Proof.
-  intros [D|(-> & U)]; [destruct (push_root d u D) as (p & P & _); eauto|].
-  destruct (half_ex u U) as (p & Hp & E). exists p. rewrite push_0. auto.
+  intros [D|(-> & U)]; [destruct (push_root d u D) as (p & P & _); eauto|]. destruct (half_ex u U) as (p & Hp & E).
+  exists p. rewrite push_0. auto.
 Qed.
 (** the half angle by the push *)
 Definition half u := match Rlt_dec 0 u with left Hu => proj1_sig (half_ex u Hu) | right _ => 1 end.
@@ -115,8 +115,8 @@ Proof.
   intros (Hp & Hs). assert (P : 0 < p < PI) by lra. pose proof (hh_pos p P) as H0.
   assert (Y : 0 < hh p ^ 2 - r * depth p ^ 2) by lra. destruct (half_spec _ (sqrt_lt_R0 _ Y)) as (Hn & E).
   fold (next p) in Hn, E.
-  assert (E2 : hh (next p) ^ 2 = hh p ^ 2 - r * depth p ^ 2) by (rewrite E, <- Rsqr_pow2, Rsqr_sqrt; lra).
-  split; auto. assert (hh (next p) <= hh p) by nra. pose proof (proj1 (hh_le (next p) p Hn P) ltac:(lra)).
+  assert (E2 : hh (next p) ^ 2 = hh p ^ 2 - r * depth p ^ 2) by (rewrite E, <- Rsqr_pow2, Rsqr_sqrt; lra). split; auto.
+  assert (hh (next p) <= hh p) by nra. pose proof (proj1 (hh_le (next p) p Hn P) ltac:(lra)).
   split; [lra|]. apply (stays_above r (next p) p); lra.
 Qed.
 Lemma ok_pi p : ok p -> 0 < p < PI. Proof. intros (Hp & _). lra. Qed.

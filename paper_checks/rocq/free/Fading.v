@@ -8,17 +8,17 @@ Lemma bulge z h : 0 <= h -> 0 < z <= PI / 2 -> 2 * sin z ^ 2 * (h - hh z) <= 2 *
 Proof.
   intros Hh Hz. set (a := atan h). pose proof (atan_bound h) as B. fold a in B.
   assert (A0 : 0 <= a) by (destruct Hh as [Hh|<-]; [apply Rlt_le; unfold a; rewrite <- atan_0; apply atan_increasing|
-    unfold a; rewrite atan_0]; lra).
-  assert (C : 0 < cos a) by (apply cos_gt_0; lra). pose proof (cos_ge_0 z ltac:(lra) ltac:(lra)) as Cz.
+    unfold a; rewrite atan_0]; lra). assert (C : 0 < cos a) by (apply cos_gt_0; lra).
+  pose proof (cos_ge_0 z ltac:(lra) ltac:(lra)) as Cz.
   assert (T : h * cos a = sin a) by (rewrite <- (tan_atan h) at 1; fold a; unfold tan; field; lra).
-  pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S.
-  apply Rmult_le_reg_r with (cos a); auto. apply Rminus_le_0.
+  pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S. apply Rmult_le_reg_r with (cos a); auto. apply Rminus_le_0.
   replace (_ - _) with (2 * (cos z * sin (a - z) - (a - z) * cos a)).
   2: { rewrite sin_minus, <- T. unfold hh. trig z. }
   destruct (Rle_dec z a) as [L|L].
   - pose proof (g_nonneg (a - z) ltac:(lra)) as G. assert (Ca : cos a <= cos z * cos (a - z)).
     { replace a with (z + (a - z)) at 1 by ring. rewrite cos_plus. pose proof (sin_pos (a - z) ltac:(lra)). nra. }
-    assert ((a - z) * cos a <= (a - z) * (cos z * cos (a - z))) by nra. assert (cos z * ((a - z) * cos (a - z)) <= cos z * sin (a - z)) by nra. lra.
+    assert ((a - z) * cos a <= (a - z) * (cos z * cos (a - z))) by nra.
+    assert (cos z * ((a - z) * cos (a - z)) <= cos z * sin (a - z)) by nra. lra.
   - replace (a - z) with (- (z - a)) by ring. rewrite sin_neg. pose proof (sin_below (z - a) ltac:(lra)).
     assert (cos z <= cos a) by (apply cos_decr_1; lra). nra.
 Qed.
@@ -43,16 +43,14 @@ Proof.
   destruct (Li (mkposreal (eps / 2) ltac:(lra))) as (T & K').
   assert (K : forall t, T < t -> Rabs (t * ((v t ^ 2 - c ^ 2) / (2 * c)) - B) < eps / 2) by auto.
   exists (Rmax (Rmax T 1) ((B + eps) ^ 2 / (c * eps))). intros t Ht.
-    pose proof (Rmax_l (Rmax T 1) ((B + eps) ^ 2 / (c * eps))).
+  pose proof (Rmax_l (Rmax T 1) ((B + eps) ^ 2 / (c * eps))).
   pose proof (Rmax_r (Rmax T 1) ((B + eps) ^ 2 / (c * eps))). pose proof (Rmax_l T 1). pose proof (Rmax_r T 1).
   specialize (K t ltac:(lra)). specialize (Up t ltac:(lra)). apply Rabs_def2 in K. set (d := v t - c) in *.
   assert (E : t * ((v t ^ 2 - c ^ 2) / (2 * c)) = t * d + t * d ^ 2 / (2 * c)) by (unfold d; field; lra).
-    assert (Td : 0 <= t * d) by positive.
-  assert (Sq : 0 <= t * d ^ 2 / (2 * c)) by positive.
+  assert (Td : 0 <= t * d) by positive. assert (Sq : 0 <= t * d ^ 2 / (2 * c)) by positive.
   assert (t * d ^ 2 / (2 * c) <= eps / 2); [|apply Rabs_def1; lra]. undivide (2 * c).
-  apply Rmult_le_reg_l with t; [lra|].
-  assert ((t * d) ^ 2 <= (B + eps) ^ 2) by (apply pow_incr; lra).
-    assert (Q : (B + eps) ^ 2 / (c * eps) * (c * eps) <= t * (c * eps)) by scale.
+  apply Rmult_le_reg_l with t; [lra|]. assert ((t * d) ^ 2 <= (B + eps) ^ 2) by (apply pow_incr; lra).
+  assert (Q : (B + eps) ^ 2 / (c * eps) * (c * eps) <= t * (c * eps)) by scale.
   replace ((B + eps) ^ 2 / (c * eps) * (c * eps)) with ((B + eps) ^ 2) in Q by (field; lra). lra.
 Qed.
 
@@ -161,8 +159,7 @@ Proof.
     pose proof (pow_lt _ 2 (sin_gt_0 (o1 * u / 2) ltac:(lra) ltac:(lra))). apply Rmult_lt_compat_l; [lra|].
     pose proof (hh_incr (ph (S n)) (ph n) ltac:(lra) (angles_fall n) (proj2 (P n))). lra.
   - assert (F1 : 0 <= fastest (hh p)).
-    {
-        pose proof (bulge (p / 2) (hh p) ltac:(lra) ltac:(lra)) as I.
+    { pose proof (bulge (p / 2) (hh p) ltac:(lra) ltac:(lra)) as I.
       pose proof (hh_incr (p / 2) p ltac:(lra) ltac:(lra) ltac:(lra)). pose proof (pow2_ge_0 (sin (p / 2))).
       apply Rmult_le_pos; [lra|]. apply Rle_trans with (2 := I). apply Rmult_le_pos; lra. }
     intros t Hu. destruct (in_cycle m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp 0%nat t Hu) as (n & _ & Ha & Hc). fold tm in Ha, Hc.
@@ -171,8 +168,7 @@ Proof.
       replace (v1 (tm n) - v2 (tm n)) with 0 by (destruct (sides n) as [Es|Es]; rewrite Es in A, B; lra).
         rewrite Rabs_R0. auto. } destruct (Rlt_dec u (sl n)) as [I|I].
     + destruct (proj2 (proj2 (slip_motion n) u ltac:(lra)) ltac:(lra)) as (Z' & D & A). rewrite A.
-      apply Rmult_le_compat_l; [lra|].
-      apply Rle_trans with (2 * sin (o1 * u / 2) ^ 2 * (hh p - hh (o1 * u / 2)));
+      apply Rmult_le_compat_l; [lra|]. apply Rle_trans with (2 * sin (o1 * u / 2) ^ 2 * (hh p - hh (o1 * u / 2)));
         [|pose proof (proj2 (proj1 (orb_ok m1 m2 Hm1 Hm2 p n Hp))) as Pn2; fold (ph n) in Pn2; apply bulge; lra].
       apply Rmult_le_compat_l; [pose proof (pow2_ge_0 (sin (o1 * u / 2))); lra|].
       destruct (Req_dec (ph n) p) as [->|]; [lra|]. pose proof (angles_below n).
@@ -184,11 +180,10 @@ Qed.
 (** *** Peaks *)
 Lemma stick_level n t : tm n + sl n <= t <= tm (S n) -> E t = Ecr * (1 + q * hh (ph (S n)) ^ 2).
 Proof.
-  intros Hu. pose proof (T0 n) as Tn. pose proof (lasts n) as Sn.
-  destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H _ (tm n) (ph n) (sides n) ltac:(lra) (P n)
-    (leaves n))
-    as (_ & _ & _ & E1 & _). fold o1 in E1. fold (sl n) q in E1. pose proof (y_step m1 m2 Hm1 Hm2 p Hp n) as En.
-  fold ph in En. pose proof (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 _ _ x v1 v2 _ (sides (S n)) (leaves (S n))) as E2.
+  intros Hu. pose proof (T0 n) as Tn. pose proof (lasts n) as Sn. destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2
+    Ha2 Hb x v1 v2 s H _ (tm n) (ph n) (sides n) ltac:(lra) (P n) (leaves n)) as (_ & _ & _ & E1 & _). fold o1 in E1.
+  fold (sl n) q in E1. pose proof (y_step m1 m2 Hm1 Hm2 p Hp n) as En. fold ph in En.
+  pose proof (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 _ _ x v1 v2 _ (sides (S n)) (leaves (S n))) as E2.
   pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H (tm n + sl n) t ltac:(lra)) as F1.
   pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t (tm (S n)) ltac:(lra)) as F2. cbv beta in F1, F2.
   unfold E. fold Ecr in E1, E2. fold q in E2. rewrite En in *. lra.
@@ -224,20 +219,17 @@ Lemma peaks_from_ray e : (forall t, 0 <= t -> Ecr < E t) -> 0 < e -> exists N, f
 Proof.
   intros Up He. assert (Law := peak_law Up). apply is_lim_spec in Law. destruct (Law (mkposreal e He)) as (T & LT).
   assert (K1 := tm_inf m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp). apply is_lim_seq_spec in K1. destruct (K1 T) as (N1 & Q1').
-    assert (K2 := level_to_zero m1 m2 Hm1 Hm2 p Hp). apply is_lim_seq_spec in K2.
-  destruct (K2 (mkposreal (1 / 2) ltac:(lra))) as (N2 & Q2').
-  exists (Nat.max N1 N2). intros n Hn. specialize (Q1' n ltac:(lia)). specialize (Q2' n ltac:(lia)).
-    change (T < tm n) in Q1'.
-  change (Rabs (hh (ph n) ^ 2 - 0) < 1 / 2) in Q2'. apply Rabs_def2 in Q2'.
-  pose proof (depth_upper _ (P n)) as D. destruct (slip_motion n) as (Xs & _).
-  assert (Q1 : q <= 1) by (unfold q; undivide (m1 + m2); lra).
+  assert (K2 := level_to_zero m1 m2 Hm1 Hm2 p Hp). apply is_lim_seq_spec in K2.
+  destruct (K2 (mkposreal (1 / 2) ltac:(lra))) as (N2 & Q2'). exists (Nat.max N1 N2). intros n Hn.
+  specialize (Q1' n ltac:(lia)). specialize (Q2' n ltac:(lia)). change (T < tm n) in Q1'.
+  change (Rabs (hh (ph n) ^ 2 - 0) < 1 / 2) in Q2'. apply Rabs_def2 in Q2'. pose proof (depth_upper _ (P n)) as D.
+  destruct (slip_motion n) as (Xs & _). assert (Q1 : q <= 1) by (unfold q; undivide (m1 + m2); lra).
   pose proof (T0 n). pose proof (lasts n) as Sn. destruct (leaves (S n)) as (Xe & _). fold L in Xe.
   assert (KK : side (S n) = - side n) by (unfold side; simpl; ring). rewrite KK in Xe.
   destruct (cont_IVT (fun t => side n * x t) (tm n + sl n) (tm (S n))) as (t & Hu & Z).
   { apply cont_scal, (s_cx _ _ _ _ _ _ _ _ _ H). }
   { lra. }
-  { replace (side n * x (tm (S n))) with (- L) by lra. assert (0 < 1 - q * depth (ph n)) by nra.
-    nra. }
+  { replace (side n * x (tm (S n))) with (- L) by lra. assert (0 < 1 - q * depth (ph n)) by nra. nra. }
   assert (Xt : x t = 0) by (destruct (sides n) as [Ek|Ek]; rewrite Ek in Z; lra). destruct (sticks n t Hu) as (Ev & _).
   assert (Et : E t = (m1 + m2) * v1 t ^ 2 / 2) by (unfold E, energy; rewrite Xt, <- Ev; field).
   assert (Vt : Rabs (v1 t) = pk t).
@@ -258,8 +250,7 @@ Proof.
       assert (I2 : (h * cos th - sin th) ^ 2 <= h ^ 2 + 1).
       { replace (h ^ 2 + 1) with ((h ^ 2 + 1) * (sin th * sin th + cos th * cos th)) by (rewrite SC; ring).
         pose proof (pow2_ge_0 (h * sin th + cos th)). nra. }
-      apply Rle_trans with (2 * Ecr * q * (h ^ 2 + 1)); [apply Rmult_le_compat_l;
-        [positive|auto]|]. nra.
+      apply Rle_trans with (2 * Ecr * q * (h ^ 2 + 1)); [apply Rmult_le_compat_l; [positive|auto]|]. nra.
   + rewrite Vt. apply Rlt_le. exact (LT t ltac:(lra)).
 Qed.
 End FromRay.
@@ -279,12 +270,11 @@ Proof.
   destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H ta h Ht Ev Hx H0 Ee) as (k & t0 & Hk & T0 & HR & St).
   rewrite <- Ep in HR. destruct (slips_fade k t0 p Hk ltac:(lra) Ok HR)
     as (te & tau & Z & Or & Li & Sk & Sl & Sp & Fa).
-  split; [|exact (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk ltac:(lra) Ok HR)].
-  exists te, tau. rewrite <- Ep. split; [lra|]. split; [auto|]. split; [auto|].
-    split; [intros r Hr'; apply St; lra|]. split; [exact Sk|]. split; [exact Sl|].
-  split; [auto|]. intros r Hr'. destruct (Rle_dec t0 r); [apply Fa; auto|].
+  split; [|exact (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk ltac:(lra) Ok HR)]. exists te, tau.
+  rewrite <- Ep. split; [lra|]. split; [auto|]. split; [auto|]. split; [intros r Hr'; apply St; lra|].
+  split; [exact Sk|]. split; [exact Sl|]. split; [auto|]. intros r Hr'. destruct (Rle_dec t0 r); [apply Fa; auto|].
   destruct (St r ltac:(lra)) as (Eq & _). rewrite Eq, Rminus_diag_eq, Rabs_R0 by auto.
-    apply Rle_trans with (2 := Fa t0 (Rle_refl t0)). apply Rabs_pos.
+  apply Rle_trans with (2 := Fa t0 (Rle_refl t0)). apply Rabs_pos.
 Qed.
 
 (** [peaks-fall] Where a motion never merges, the peaks of $|v_1|$ between entries tend to $L\Omega$ like $1/t$: at

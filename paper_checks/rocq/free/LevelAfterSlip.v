@@ -37,9 +37,8 @@ Lemma parabola_rises p D : 0 < p < PI -> 1 <= ct p ^ 2 + 2 * q -> depth p <= D -
 Proof.
   intros Hp Hk HD. rewrite <- parabola_ray by auto. pose proof (half_depth p Hp) as I. pose proof (depth_pos p Hp) as C.
   unfold parabola. rewrite <- I. set (c := depth p) in *. set (k2 := ct p ^ 2) in *.
-  assert (0 <= (D - c) * ((k2 + q) * (D - c) + c * (k2 + 2 * q - 1))); [|lra].
-  apply Rmult_le_pos; [lra|]. assert (0 <= (k2 + q) * (D - c)) by positive.
-  assert (0 <= c * (k2 + 2 * q - 1)) by positive. lra.
+  assert (0 <= (D - c) * ((k2 + q) * (D - c) + c * (k2 + 2 * q - 1))); [|lra]. apply Rmult_le_pos; [lra|].
+  assert (0 <= (k2 + q) * (D - c)) by positive. assert (0 <= c * (k2 + 2 * q - 1)) by positive. lra.
 Qed.
 
 (** the least value at the angle where k^2 + 2 q = 1 *)
@@ -60,8 +59,8 @@ Proof.
   - replace (Derive (fun x => hh x) p) with (depth p * (1 + ct p ^ 2)) by (symmetry; apply is_derive_unique; exact H).
     replace (Derive (fun x => ct x) p) with (- (1 + ct p ^ 2)) by (symmetry; apply is_derive_unique; exact C).
     unfold slope. set (h := hh p) in *. set (c := depth p) in *. set (k := ct p) in *.
-    assert (E : c = 2 * (1 - h * k) / (1 + k ^ 2)) by (rewrite <- I; field; pose proof (pow2_ge_0 k); lra).
-    rewrite E. field. split; lra.
+    assert (E : c = 2 * (1 - h * k) / (1 + k ^ 2)) by (rewrite <- I; field; pose proof (pow2_ge_0 k); lra). rewrite E.
+    field. split; lra.
 Qed.
 
 (** q h + k = (q p + r sin p cos p)/sin^2 p is positive if r <= PI/(1 + PI) *)
@@ -70,8 +69,8 @@ Proof.
   intros Hr Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
   replace (q * hh p + ct p) with ((q * p + r * (sin p * cos p)) * / sin p ^ 2) by (unfold hh, ct, r; field; lra).
   apply Rmult_lt_0_compat; [|positive]. unfold r in *. destruct (Rle_dec p (PI / 2)) as [n|n].
-  - pose proof (cos_ge_0 p ltac:(lra) ltac:(lra)).
-    assert (0 < q * p) by positive. assert (0 <= (1 - q) * (sin p * cos p)) by positive. lra.
+  - pose proof (cos_ge_0 p ltac:(lra) ltac:(lra)). assert (0 < q * p) by positive.
+    assert (0 <= (1 - q) * (sin p * cos p)) by positive. lra.
   - assert (- (1 / 2) <= sin p * cos p).
     { pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. pose proof (pow2_ge_0 (sin p + cos p)). lra. }
     assert (q * (PI / 2) < q * p) by nra. assert ((1 - q) * (- (1 / 2)) <= (1 - q) * (sin p * cos p)) by nra. lra.
@@ -94,13 +93,14 @@ Proof.
   { pose proof (parabola_rises p D Hp n HD). pose proof (Rays p Hp). lra. }
   apply Rnot_le_lt in n. pose proof (pow2_ge_0 (ct p)). destruct turn_ex as (t & Ht & Et & Ct); [lra|].
   apply Rlt_le_trans with (least p); [|apply parabola_least]. assert (Pt : p < t).
-  { apply Rnot_le_lt. intros N. assert (ct p <= ct t) by (destruct (Req_dec p t) as [->|]; [|apply Rlt_le, ct_falls]; lra).
+  { apply Rnot_le_lt. intros N.
+    assert (ct p <= ct t) by (destruct (Req_dec p t) as [->|]; [|apply Rlt_le, ct_falls]; lra).
     nra. }
   assert (Fall : least t <= least p).
   { destruct (MVT_cor2 least slope p t Pt) as (u & E & Hu). { intros u Hu. apply is_derive_Reals, derive_least; lra. }
     assert (U : ct u ^ 2 + 2 * q <= 1).
-    { pose proof (ct_falls p u ltac:(lra) ltac:(lra) ltac:(lra)). pose proof (ct_falls u t ltac:(lra) ltac:(lra) ltac:(lra)).
-      assert (ct p < - ct t) by nra. nra. }
+    { pose proof (ct_falls p u ltac:(lra) ltac:(lra) ltac:(lra)).
+      pose proof (ct_falls u t ltac:(lra) ltac:(lra) ltac:(lra)). assert (ct p < - ct t) by nra. nra. }
     assert (slope u <= 0); [|assert (0 <= (- slope u) * (t - p)) by positive; lra].
     pose proof (push_positive u Hr ltac:(lra)). pose proof (depth_pos u ltac:(lra)). pose proof (pow2_ge_0 (ct u)).
     unfold slope. set (F := depth u * (1 + ct u ^ 2) / (ct u ^ 2 + q) ^ 2).
@@ -123,6 +123,5 @@ Proof.
   specialize (Up (1 - q) ltac:(lra) Hr). change (0 < parabola q p (depth p + d)). apply above_rays; auto; try lra.
   (* the excursion of half angle pi/2 bounds the share: r < PI^2/16 *)
    pose proof pi_below. specialize (Up (PI / 2) ltac:(lra)). rewrite hh_half_pi in Up.
-  assert (De : depth (PI / 2) = 2) by (unfold depth; rewrite sin_PI2, cos_PI2; field).
-  nra.
+   assert (De : depth (PI / 2) = 2) by (unfold depth; rewrite sin_PI2, cos_PI2; field). nra.
 Qed.

@@ -40,11 +40,10 @@ Proof.
   intros (Ht & Ev & Hx & HE). destruct (level_push m1 m2 a2 b Hm1 Hm2 Ha2 Hb _ HE) as (U & En).
   destruct (half_ex _ U) as (p & Hp & Hu). rewrite <- Hu in En. fold q Ecr in En.
   destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t0 (hh p) Ht Ev Hx (hh_pos p Hp) En) as (k & te & Hk & Te
-    & HR & St).
-  destruct (returns m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k 0 (hh p) te Hk ltac:(lra)
-    (or_intror (conj eq_refl (hh_pos p Hp))) (proj1 (ray_gap m1 m2 a2 b k (hh p) x v1 v2 te) HR)) as (t & F).
+    & HR & St). destruct (returns m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k 0 (hh p) te Hk ltac:(lra) (or_intror (conj
+    eq_refl (hh_pos p Hp))) (proj1 (ray_gap m1 m2 a2 b k (hh p) x v1 v2 te) HR)) as (t & F).
   exists k, te, p, t. split; [exact Hk|]. split; [lra|]. split; [exact Hp|]. split; [exact En|].
-    split; [exact St|]. split; [exact HR|]. split; [exact F|].
+  split; [exact St|]. split; [exact HR|]. split; [exact F|].
   destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k te p Hk ltac:(lra) Hp HR) as (Sg & Ec & _).
   assert (T0 : 0 < 2 * p / o1) by positive. apply (contact_first L x v1 v2 te); auto.
   split; [fold o1; lra|]. split; [|exact Ec]. intros t' Hu' Q. specialize (Sg t' Hu'). rewrite Q in Sg. lra.
@@ -99,7 +98,8 @@ Lemma reentry_above t0 t : first_reentry L x v1 v2 t0 t -> forall k d u, k = 1 \
   (0 < d \/ (d = 0 /\ 0 < u)) -> at_gap m1 m2 a2 b k d u x v1 v2 t0 -> above t.
 Proof.
   induction 1 as [t0 t1 C I|t0 t1 t C O F IH]; intros k d u Hk Ht Hd HG.
-  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1) by positive.
+  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1) by
+    positive.
   all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & Sg & A & B & V & En);
     fold o1 in Sg, A, B, V, En.
   all: assert (T : t1 = t0 + 2 * p / o1) by (apply (contact_unique v1 v2 t0); auto; split; [lra|split;

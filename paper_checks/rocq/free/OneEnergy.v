@@ -23,9 +23,9 @@ Proof.
   intros H H' Hk Hk' Ht Ht' (X & V & W) (X' & V' & W') (T & HT & St).
   pose proof (solution_later m1 m2 0 a2 b x v1 v2 s t Ht H) as S. pose proof (solution_later m1 m2 0 a2 b x' v1' v2' s' t' Ht' H') as S'.
   assert (Q : forall r, 0 <= r -> v1 (t + r) = v2 (t + r) -> v1' (t' + r) = v2' (t' + r)).
-  { intros r Hr Ev. destruct (unique m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb _ _ _ _ _ _ _ _ 0
-      (sided m1 m2 a2 b k _ _ _ _ Hk S) (sided m1 m2 a2 b k' _ _ _ _ Hk' S') (Rle_refl 0)) with (t := r) as (_ & E1 & E2);
-      rewrite ?Rplus_0_r; try lra. rewrite Ev in E1. destruct Hk'; subst k'; lra. }
+  { intros r Hr Ev. destruct (unique m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb _ _ _ _ _ _ _ _ 0 (sided m1 m2 a2 b k _ _
+      _ _ Hk S) (sided m1 m2 a2 b k' _ _ _ _ Hk' S') (Rle_refl 0)) with (t := r) as (_ & E1 & E2); rewrite ?Rplus_0_r;
+      try lra. rewrite Ev in E1. destruct Hk'; subst k'; lra. }
   exists (t' + T). split; [lra|]. intros r Hr. replace r with (t' + (r - t')) by ring. apply Q; [lra|]. apply St. lra.
 Qed.
 

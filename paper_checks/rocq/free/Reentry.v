@@ -20,7 +20,7 @@ Proof.
     assert (Q' : hh (PI - p) = (PI - p) * (1 + ct p ^ 2) + ct p) by lra. rewrite Q' in T. lra. }
   assert (Le : depth pc <= depth (PI - p))
     by (destruct (Req_dec pc (PI - p)) as [<-|]; [|apply Rlt_le, depth_incr]; lra).
-  rewrite Dc, De in Le. apply Rle_div_l in Le; [|lra]. pose proof (pow_lt _ 2 (hh_pos p ltac:(lra))) as H2.
+  rewrite Dc, De in Le. apply (Rle_div_l 2 _ q) in Le; [|lra]. pose proof (pow_lt _ 2 (hh_pos p ltac:(lra))) as H2.
   set (w := 1 + (PI - p) * ct p) in *. apply Rmult_lt_reg_r with w; [unfold w; lra|].
   apply Rlt_le_trans with (1 := M). assert (0 <= (w * q - 1) * hh p ^ 2) by (apply Rmult_le_pos; lra). lra.
 Qed.

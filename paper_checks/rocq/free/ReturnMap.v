@@ -87,9 +87,8 @@ Proof.
   assert (Z : is_lim_seq (fun n => u O * / INR n) 0).
   { replace (Finite 0) with (Rbar_mult (u O) 0) by (simpl; f_equal; ring). apply is_lim_seq_scal_l.
     assert (Q := is_lim_seq_inv _ _ is_lim_seq_INR). apply Q. discriminate. }
-  assert (C : is_lim_seq (fun n => sum_f_R0 (fun n => u (S n) - u n) (pred n) / INR n) l)
-    by (apply is_lim_seq_Reals, Cesaro_1, is_lim_seq_Reals, D).
-  replace (Finite l) with (Finite (0 + l)) by (f_equal; ring).
+  assert (C : is_lim_seq (fun n => sum_f_R0 (fun n => u (S n) - u n) (pred n) / INR n) l) by (apply is_lim_seq_Reals,
+    Cesaro_1, is_lim_seq_Reals, D). replace (Finite l) with (Finite (0 + l)) by (f_equal; ring).
   apply is_lim_seq_ext_loc with (2 := is_lim_seq_plus' _ _ _ _ Z C). exists 1%nat. intros n Hn.
   destruct n; [inversion Hn|]. rewrite Sum. simpl pred. field. apply not_0_INR; discriminate.
 Qed.
@@ -97,8 +96,8 @@ Qed.
 (** what is closer to l than what tends to 0 *)
 Lemma lim_within (u f : nat -> R) (l : R) : (forall n, Rabs (u n - l) <= f n) -> is_lim_seq f 0 -> is_lim_seq u l.
 Proof.
-  intros B F. apply is_lim_seq_spec. apply is_lim_seq_spec in F. intros e. destruct (F e) as (N & K). exists N. intros n Hn.
-  specialize (K n Hn). rewrite Rminus_0_r in K. apply Rle_lt_trans with (2 := K).
+  intros B F. apply is_lim_seq_spec. apply is_lim_seq_spec in F. intros e. destruct (F e) as (N & K). exists N.
+  intros n Hn. specialize (K n Hn). rewrite Rminus_0_r in K. apply Rle_lt_trans with (2 := K).
   apply Rle_trans with (1 := B n), Rle_abs.
 Qed.
 

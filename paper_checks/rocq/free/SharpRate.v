@@ -31,8 +31,8 @@ Proof. unfold Ecr. rewrite Ecr_L by auto. pose proof (pow_lt _ 2 (L_pos m1 m2 a2
 Lemma level_push e : Ecr < e -> let u := sqrt ((e / Ecr - 1) / q) in 0 < u /\ e = Ecr * (1 + q * u ^ 2).
 Proof.
   intros He u. pose proof Ecr_pos. assert (1 < e / Ecr) by (undivide Ecr; lra).
-  assert (D : 0 < (e / Ecr - 1) / q) by (apply Rdiv_lt_0_compat; [lra|auto]).
-  split; [apply sqrt_lt_R0; auto|]. unfold u. rewrite pow2_sqrt by lra. field. split; lra.
+  assert (D : 0 < (e / Ecr - 1) / q) by (apply Rdiv_lt_0_compat; [lra|auto]). split; [apply sqrt_lt_R0; auto|].
+  unfold u. rewrite pow2_sqrt by lra. field. split; lra.
 Qed.
 Lemma E_falls u t : 0 <= u <= t -> E t <= E u.
 Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H u t). Qed.
@@ -74,7 +74,8 @@ Proof.
   apply lim_within with (2 := root_to_zero r r_pos ph ph_pi y_step (6 * sqrt q / om)). intros n.
   pose proof (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)) as Q. fold M in Q. fold q om (cy n) in Q.
   rewrite sqrt_pow2 by (apply Rlt_le, hh_pos, ph_pi). assert (0 < / om) by positive.
-  replace (cy n - PI / om) with ((om * cy n - PI) * / om) by (field; lra). rewrite Rabs_mult, (Rabs_pos_eq (/ om)) by lra.
+  replace (cy n - PI / om) with ((om * cy n - PI) * / om) by (field; lra).
+  rewrite Rabs_mult, (Rabs_pos_eq (/ om)) by lra.
   replace (6 * sqrt q / om * hh (ph n)) with (6 * sqrt q * hh (ph n) * / om) by (field; lra).
   apply Rmult_le_compat_r; [lra|exact Q].
 Qed.
@@ -154,8 +155,8 @@ Proof.
     apply is_lim_seq_mult'; [apply time_rate|apply (is_lim_seq_scal_l _ (Ecr * q) (4 / (9 * r))), level_rate]. }
   assert (Up : is_lim_seq (fun n => tm (S n) * F n) (Ecr * rate)).
   { apply is_lim_seq_ext with (fun n => tm n * F n + cy n * F n). { intros n. rewrite tm_S. ring. }
-    replace (Ecr * rate) with (Ecr * rate + PI / om * 0) by ring.
-    apply is_lim_seq_plus'; auto. apply is_lim_seq_mult'; [apply cy_limit|auto]. }
+    replace (Ecr * rate) with (Ecr * rate + PI / om * 0) by ring. apply is_lim_seq_plus'; auto.
+    apply is_lim_seq_mult'; [apply cy_limit|auto]. }
   assert (Lo : is_lim_seq (fun n => tm n * F (S n)) (Ecr * rate)).
   { apply is_lim_seq_ext with (fun n => tm (S n) * F (S n) - cy n * F (S n)). { intros n. rewrite tm_S. ring. }
     replace (Ecr * rate) with (Ecr * rate - PI / om * 0) by ring.
@@ -166,10 +167,9 @@ Proof.
   destruct (in_cycle (Nat.max N1 N2) t ltac:(lra)) as (n & Hn & Hb1 & Hb2). specialize (K1 n ltac:(lia)).
   specialize (K2 n ltac:(lia)). pose proof (tm_from n) as T0. pose proof (E_falls (tm n) t ltac:(lra)) as F1.
   pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2. destruct (Fp n) as (P1 & Q1), (Fp (S n)) as (P2 & Q2).
-  apply Rabs_def2 in K1. apply Rabs_def2 in K2.
-  assert (t * (E t - Ecr) <= t * F n) by scale. assert (t * F n <= tm (S n) * F n) by scale.
-  assert (t * F (S n) <= t * (E t - Ecr)) by scale. assert (tm n * F (S n) <= t * F (S n)) by scale.
-  apply Rabs_def1; lra.
+  apply Rabs_def2 in K1. apply Rabs_def2 in K2. assert (t * (E t - Ecr) <= t * F n) by scale.
+  assert (t * F n <= tm (S n) * F n) by scale. assert (t * F (S n) <= t * (E t - Ecr)) by scale.
+  assert (tm n * F (S n) <= t * F (S n)) by scale. apply Rabs_def1; lra.
 Qed.
 (** *** Bounds in the time, from the exit at t0: by what 1/y gains in a cycle, and by how long a cycle takes *)
 Theorem between a Tu t : 0 <= a -> (forall n, a <= / y (S n) - / y n) -> (forall n, 0 < om * cy n <= Tu) -> t0 <= t ->

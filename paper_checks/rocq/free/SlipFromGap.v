@@ -121,11 +121,9 @@ Lemma gap_end d p : 0 < p < PI -> let D := depth p + d in
 Proof.
   intros Hp D. assert (O : 0 < o1) by (apply o1_pos; auto).
   assert (A1 : push d p - 2 * p = - (hh p + ct p * D)) by (unfold D; rewrite <- next_push; auto; ring).
-  assert (E1 : push d p * (1 - 2 * sin p * sin p) - (1 + d) * (2 * sin p * cos p) = push d p - 2 * p)
-    by (unfold push, hh, ct; trig p).
-  assert (E2 : (1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p) = 1 - D)
-    by (unfold D, push, hh, ct, depth; trig p).
-  unfold Gx, G1, G2. replace (o1 * (2 * p / o1)) with (2 * p) by (field; lra).
+  assert (E1 : push d p * (1 - 2 * sin p * sin p) - (1 + d) * (2 * sin p * cos p) = push d p - 2 * p) by (unfold push,
+    hh, ct; trig p). assert (E2 : (1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p) = 1 - D) by (unfold
+    D, push, hh, ct, depth; trig p). unfold Gx, G1, G2. replace (o1 * (2 * p / o1)) with (2 * p) by (field; lra).
   rewrite cos_2a_sin, sin_2a, E1, E2, A1. unfold ray, Cycle.ray. fold o1. split; [|split; ring].
   unfold L, Stick.L, q, M. field. repeat split; lra.
 Qed.
@@ -178,8 +176,8 @@ Lemma lands k y d p : k = 1 \/ k = -1 -> 0 <= d -> 0 < p < PI -> k * y = L * (1 
 Proof.
   intros Hk Hd Hp E HD. pose proof (depth_pos p Hp). pose proof (q_pos m1 m2 Hm1 Hm2) as Q0. fold M q in Q0.
   pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0. apply Rle_div_r in HD; [|lra].
-  assert (0 < q * (depth p + d)) by (apply Rmult_lt_0_compat; lra). assert (- L <= k * y <= L) by (rewrite E; split; nra).
-  destruct Hk; subst k; lra.
+  assert (0 < q * (depth p + d)) by (apply Rmult_lt_0_compat; lra).
+  assert (- L <= k * y <= L) by (rewrite E; split; nra). destruct Hk; subst k; lra.
 Qed.
 
 (** Existence: every push, from every gap d > 0, has its one half angle, so every such slip is covered. *)

@@ -22,7 +22,8 @@ Qed.
 
 Lemma turn : exists p1, 0 < p1 < PI /\ (forall t, 0 < t < p1 -> 0 < k t) /\ (forall t, p1 < t < PI -> k t < 0).
 Proof.
-  pose proof PI2_1 as P1. pose proof (sqrt_sqrt 2 ltac:(lra)). pose proof (sqrt_pos 2). assert (S2 : 1 < sqrt 2 < 3 / 2) by nra.
+  pose proof PI2_1 as P1. pose proof (sqrt_sqrt 2 ltac:(lra)). pose proof (sqrt_pos 2).
+  assert (S2 : 1 < sqrt 2 < 3 / 2) by nra.
   assert (E : forall t, 0 < t -> k t = 2 * t * (sin t / t - sqrt 2 / 2)) by (intros; unfold k; field; lra).
   destruct (cont_IVT k (1 / 2) PI cont_k) as (p1 & Hp & Z); [lra| |].
   { pose proof (sin_above (1 / 2) ltac:(lra)). assert (0 < k (1 / 2)) by (unfold k; lra).
