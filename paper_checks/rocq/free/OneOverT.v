@@ -18,9 +18,9 @@ Theorem reaches_ray : (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->
   exists k t1 p, (k = 1 \/ k = -1) /\ 0 <= t1 /\ ok m1 m2 p /\ on_ray m1 m2 a2 b k (hh p) x v1 v2 t1.
 Proof.
   intros Up. destruct (strip m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H Up (Ecr * (4 / 9 * q))) as (t & Ht & Ev & Hx & HE).
-  { apply Rmult_lt_0_compat; auto. lra. }
+  { positive. }
   destruct (start m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t H Ht Ev Hx (Up t Ht)) as (k & t1 & p & Hk & T1 & Hp & HR & _).
-  { apply small_simple; auto. fold q. rewrite Rmult_plus_distr_l, Rmult_1_r. exact HE. }
+  { apply small_simple; auto. rewrite Rmult_plus_distr_l, Rmult_1_r. exact HE. }
   exists k, t1, p. split; [auto|]. split; [lra|]. auto.
 Qed.
 
@@ -32,18 +32,18 @@ Theorem times : (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->
     (forall n t, tau n < t < te (S n) -> v1 t <> v2 t) /\
     is_lim_seq (fun n => tau n - te n) (PI * sqrt ((m1 + m2) / a2)) /\ is_lim_seq (fun n => te (S n) - tau n) 0.
 Proof.
-  intros Up. destruct (reaches_ray Up) as (k & t0 & p & Hk & Ht & Hp & HR).
-  set (ph := orb m1 m2 p). set (tm := tim m1 m2 a2 t0 p). set (sl := fun n => 2 * ph n / o1 m1 a2).
+  intros Up. destruct (reaches_ray Up) as (k & t0 & p & Hk & Ht & Hp & HR). set (ph := orb m1 m2 p).
+  set (tm := tim m1 m2 a2 t0 p). set (sl := fun n => 2 * ph n / o1 m1 a2).
   assert (Ok : forall n, ok m1 m2 (ph n)) by (intros; apply orb_ok; auto).
   assert (Sp : forall n, 0 < sl n) by (intros n; apply (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (Ok n))).
   assert (T0 : forall n, t0 <= tm n) by (intros; apply tim_start; auto).
-  assert (Cy : forall n, sl n < cyc m1 m2 a2 (ph n) /\
-    (forall u, 0 < u < sl n -> k * (-1) ^ n * v1 (tm n + u) < k * (-1) ^ n * v2 (tm n + u)) /\
-    (forall u, sl n <= u <= cyc m1 m2 a2 (ph n) -> v1 (tm n + u) = v2 (tm n + u) /\ - L <= x (tm n + u) <= L)).
+  assert (Cy : forall n, sl n < cyc m1 m2 a2 (ph n) /\ (forall u, 0 < u < sl n -> k * (-1) ^ n * v1 (tm n + u) < k *
+    (-1) ^ n * v2 (tm n + u)) /\ (forall u, sl n <= u <= cyc m1 m2 a2 (ph n) -> v1 (tm n + u) = v2 (tm n + u) /\ - L <=
+    x (tm n + u) <= L)).
   { intros n. pose proof (exits m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hp HR n) as Rn.
-    destruct (cycle m1 m2 a2 b Hm1 Hm2 Ha2 Hb (k * (-1) ^ n) x v1 v2 s (tm n) (ph n) (sides k n Hk) H ltac:(pose proof (T0
-      n); lra) (Ok n) Rn) as (_ & _ & C). split; [apply (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (Ok n))|exact C]. }
-  assert (TS : forall n, tm (S n) = tm n + cyc m1 m2 a2 (ph n)) by reflexivity.
+    destruct (cycle m1 m2 a2 b Hm1 Hm2 Ha2 Hb (k * (-1) ^ n) x v1 v2 s (tm n) (ph n) (sides k n Hk) H ltac:(pose proof
+      (T0 n); lra) (Ok n) Rn) as (_ & _ & C). split; [apply (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (Ok n))|exact C]. }
+  assert (TS : forall n, tm (S n) = tm n + cyc m1 m2 a2 (ph n)) by auto.
   exists (fun n => tm n + sl n), (fun n => tm (S n)).
   split; [intros n; pose proof (T0 n); pose proof (Sp n); destruct (Cy n); rewrite TS; lra|].
   split; [intros n; pose proof (Sp (S n)); lra|]. split.
@@ -53,8 +53,7 @@ Proof.
   - intros n t Hu. rewrite TS in Hu. replace t with (tm n + (t - tm n)) by ring. apply (proj2 (proj2 (Cy n))). lra.
   - intros n t Hu E. destruct (Cy (S n)) as (_ & C & _). specialize (C (t - tm (S n)) ltac:(lra)).
     replace (tm (S n) + (t - tm (S n))) with t in C by ring. rewrite E in C. lra.
-  - apply is_lim_seq_ext with (fun n => tm (S n) - (tm n + sl n)). { intros; ring. }
-    replace (PI * sqrt ((m1 + m2) / a2)) with (PI / om); [exact (stick_time m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp)|].
+  - replace (PI * sqrt ((m1 + m2) / a2)) with (PI / om); [exact (stick_time m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp)|].
     rewrite <- root_inv by lra. reflexivity.
   - apply is_lim_seq_ext with (fun n => sl (S n)). { intros; ring. }
     apply (is_lim_seq_incr_1 sl). exact (slip_time m1 m2 a2 Hm1 Hm2 Ha2 p Hp).
@@ -72,29 +71,28 @@ Proof.
   destruct (two_sided m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s 0 H (Rle_refl 0) Ev Hx) with (t := t) as (Lo & Up).
   { fold en Ecr q. change (0 < w0 <= 4 / 9 * q). lra. } { lra. }
   fold en Ecr q om in Lo, Up. change (en (x 0) (v1 0) (v2 0) / Ecr - 1) with w0 in Lo, Up.
-    change (en (x t) (v1 t) (v2 t) / Ecr - 1) with (w t) in Lo, Up.
-  fold K in Lo, Up. rewrite Rminus_0_r in Lo, Up.
+  change (en (x t) (v1 t) (v2 t) / Ecr - 1) with (w t) in Lo, Up. fold K in Lo, Up. rewrite Rminus_0_r in Lo, Up.
   pose proof (qr_one m1 m2 Hm1 Hm2) as QR. pose proof (r_pos m1 m2 Hm1 Hm2). fold q in QR.
-  assert (K0 : 0 < K) by (unfold K; positive). assert (Kq : K * q = 9 / 4 * (m2 / (m1 + m2))) by (unfold K, q; field; lra).
-  assert (KW : 2 * (K * w0) < 1) by nra. assert (S1 : sqrt w0 <= 1 / 2).
+  assert (K0 : 0 < K) by (unfold K; positive).
+  assert (Kq : K * q = 9 / 4 * (m2 / (m1 + m2))) by (unfold K, q; field; lra). assert (KW : 2 * (K * w0) < 1) by nra.
+  assert (S1 : sqrt w0 <= 1 / 2).
   { rewrite <- (sqrt_pow2 (1 / 2)) by lra. apply sqrt_le_1_alt. lra. }
   pose proof (sqrt_pos w0). pose proof PI2_3_2. set (D := PI + 6 * sqrt w0) in *. set (D' := PI - 6 * sqrt w0) in *.
-  assert (HD : 0 < D) by (unfold D; lra). assert (HD' : 0 < D') by (unfold D'; lra). specialize (Up ltac:(lra)).
-  assert (Kp : 0 < K / (1 - K * w0)) by (apply Rdiv_lt_0_compat; lra). assert (OT : 0 < om * t) by positive.
+  assert (HD : 0 < D) by positive. assert (HD' : 0 < D') by positive. specialize (Up ltac:(lra)).
+  assert (Kp : 0 < K / (1 - K * w0)) by positive. assert (OT : 0 < om * t) by positive.
   assert (Sg : 0 < 1 - 3 / 8 * w0 / q <= 1).
-  { assert (0 < w0 / q) by positive. assert (w0 / q <= 2 / 9) by (undivide q; lra). unfold Rdiv in *. lra. }
+  { assert (0 < w0 / q) by positive. assert (w0 / q <= 2 / 9) by (undivide q; lra). lra. }
   set (c := K * (1 - 3 / 8 * w0 / q) ^ 12) in *. assert (C : 0 < c <= K).
-  { pose proof (pow_incr _ 1 12 (conj (Rlt_le _ _ (proj1 Sg)) (proj2 Sg))) as S. rewrite pow1 in S.
+  { pose proof (pow_incr _ 1 12 (conj (Rlt_le _ _ (proj1 Sg)) (proj2 Sg))) as S.
     split; [apply Rmult_lt_0_compat; [|apply pow_lt]|unfold c; nra]; lra. }
   (* the first cycle is paid by the start *)
   assert (St : 2 * c <= / w0) by (apply Rmult_le_reg_r with w0; [lra|]; rewrite Rinv_l by lra; nra).
   assert (Lo' : c * (om * t / D) <= / w t) by lra. assert (Kd : 0 < c * (om * t / D)) by positive.
   rewrite <- (Rinv_inv (w t)). split.
-  - set (A := / w0 + K / (1 - K * w0)). assert (A0 : 0 < A) by (unfold A; positive).
-    replace (/ (A / T + K / (1 - K * w0) * om / D') / t) with (/ ((A / T + K / (1 - K * w0) * om / D') * t))
-      by (rewrite Rinv_mult; reflexivity).
-    apply Rinv_le_contravar; [lra|]. apply Rle_trans with (1 := Up). assert (A / T * T <= A / T * t) by scale.
-    replace (A / T * T) with A in * by (field; lra). unfold A in *. unfold Rdiv in *. lra.
+  - set (A := / w0 + K / (1 - K * w0)). replace (/ (A / T + K / (1 - K * w0) * om / D') / t) with (/ ((A / T + K / (1 -
+      K * w0) * om / D') * t)) by (rewrite Rinv_mult; reflexivity). apply Rinv_le_contravar; [lra|].
+    apply Rle_trans with (1 := Up). assert (A / T * T <= A / T * t) by scale.
+    replace (A / T * T) with A in * by (field; lra). unfold A in *. lra.
   - replace (D / (c * om) / t) with (/ (c * (om * t / D))) by (field; repeat split; lra).
     apply Rinv_le_contravar; auto.
 Qed.

@@ -33,7 +33,6 @@ Let o1 := o1 m1 a2.
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
 Let q0 : 0 < q. Proof. apply q_pos; auto. Qed.
-Let r0 : 0 < r. Proof. apply r_pos; auto. Qed.
 Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
 Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
 Let O0 : 0 < o1. Proof. apply o1_pos; auto. Qed.

@@ -18,7 +18,7 @@ Let sp := level_speed e.
 
 Lemma speed_pos y : - L <= y <= L -> 0 < sp L <= sp y /\ energy m1 m2 a2 y (sp y) (sp y) = e.
 Proof.
-  intros Hy. assert (y ^ 2 <= L ^ 2) by nra. assert (a2 * y ^ 2 <= a2 * L ^ 2) by scale.
+  intros Hy. assert (y ^ 2 <= L ^ 2) by nra. assert (a2 * y ^ 2 <= a2 * L ^ 2) by nra.
   assert (HL : a2 * L ^ 2 < 2 * e) by (unfold Ecr in He; rewrite Ecr_L in He by auto; fold L in He; lra).
   split; [split|].
   - apply sqrt_lt_R0, Rdiv_lt_0_compat; lra.
@@ -98,11 +98,11 @@ Proof.
   rewrite XT, (Even (- L) L) in VT by ring. intros k Hk.
   exists (fun t => - k * x t), (fun t => - k * v1 t), (fun t => - k * v2 t), (fun t => - k * s t), T.
   split; [apply sided; [destruct Hk; [right|left]; lra|auto]|]. split; [auto|]. split; [|split; [|split; [|split]]].
-  - intros t Ht. destruct (St t Ht) as (A & B & C). rewrite (Even (- k * x t) (x t)), B, C by (destruct Hk; subst k; ring).
-    destruct Hk; subst k; lra.
+  - intros t Ht. destruct (St t Ht) as (A & B & C).
+    rewrite (Even (- k * x t) (x t)), B, C by (destruct Hk; subst k; ring). destruct Hk; subst k; lra.
   - intros y Hy. destruct (All (- k * y)) as (t & Ht & E); [destruct Hk; subst k; lra|]. exists t. split; [auto|].
     rewrite E. destruct Hk; subst k; ring.
-  - rewrite XT. destruct Hk; subst k; lra.
+  - destruct Hk; subst k; lra.
   - destruct Hk; subst k; lra.
   - exists d. split; [auto|]. intros t Ht. specialize (K t Ht). destruct Hk; subst k; lra.
 Qed.
