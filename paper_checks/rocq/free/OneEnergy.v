@@ -68,7 +68,7 @@ Proof.
   - intros e1 e e2 H1 H2 No All. destruct (existence m1 m2 0 a2 b 0 (sqrt (2 * e / (m1 + m2))) (sqrt (2 * e / (m1 + m2))))
       as (x & v1 & v2 & s & H & X & V & W); auto; [lra|]. assert (F : from_S0 e x v1 v2 0).
     { split; [exists s; exact H|]. rewrite X, V, W. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb). repeat split; try lra.
-      unfold energy. assert (0 <= 2 * e / (m1 + m2)) by (apply Rdiv_le_0_compat; lra). rewrite pow2_sqrt by auto. field. lra. }
+      unfold energy. assert (0 <= 2 * e / (m1 + m2)) by positive. rewrite pow2_sqrt by auto. field. lra. }
     exact (No _ _ _ _ F (All e ltac:(lra) _ _ _ _ F)).
 Qed.
 End OneEnergy.
