@@ -36,8 +36,8 @@ Proof.
   - split; lra.
   - split; lra.
   - destruct E as (E1 & E2 & E3 & E4). pose proof (St a (x t) ltac:(lra)) as Abs. split; [lra|].
-    destruct (sgn_cases (Rabs a - b / 1)) as [(Q & ->)|[(Q & ->)|(Q & ->)]]; [rewrite E3 by lra|rewrite E2 by (right;
-      lra)|rewrite E4 by lra]; lra.
+    destruct (sgn_cases (Rabs a - b / 1)) as [(Q & ->)|[(Q & ->)|(Q & ->)]];
+      [rewrite E3 by lra|rewrite E2 by (right; lra)|rewrite E4 by lra]; lra.
 Qed.
 
 (** [law-satisfies-case-study] Case study: every Filippov solution satisfies (11), (12) at almost every time. *)

@@ -52,8 +52,8 @@ Proof.
 Qed.
 Lemma c_increases u v : 0 < u -> u < v -> v < 2 * PI -> c u < c v.
 Proof.
-  apply (incr_function c 0 (2 * PI) h); try (simpl; lra); intros t T0 T1; simpl in T0, T1; [apply c_derive; lra|apply
-    h_pos; lra].
+  apply (incr_function c 0 (2 * PI) h); try (simpl; lra); intros t T0 T1; simpl in T0, T1;
+    [apply c_derive; lra|apply h_pos; lra].
 Qed.
 
 (** [excursion-rise] $h$ increases on $(0,2\pi)$, takes every positive value once and has $h''>0$; $h-d\cot(\theta/2)$
@@ -231,10 +231,10 @@ Proof.
   apply ray_gap in On. rewrite <- (push_0 p) in On. destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t 0 p Hk H
     Ht (Rle_refl 0) Hp On) as (_ & _ & A & B & C & En). fold o1 in A, B, C, En. fold e in A, B, C, En. fold M in A, En.
   fold q L in A. fold q Ecr in En. rewrite level_0 in En by auto. fold M in En.
-  assert (Xe : - L <= x e <= L) by (apply (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ 0 p Hk (Rle_refl 0) Hp A); rewrite
-    Rplus_0_r; auto). rewrite Rplus_0_r in B, C. pose proof (next_push 0 p Hp) as Np. rewrite push_0, Rplus_0_r in Np.
-  rewrite <- Np in B, C. set (y := hh p ^ 2 - m2 / M * depth p ^ 2) in *. assert (Sy : 0 < sqrt y) by positive.
-  assert (Ey : sqrt y ^ 2 = y) by (apply pow2_sqrt; lra). rewrite <- Ey in En.
+  assert (Xe : - L <= x e <= L) by (apply (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ 0 p Hk (Rle_refl 0) Hp A);
+    rewrite Rplus_0_r; auto). rewrite Rplus_0_r in B, C. pose proof (next_push 0 p Hp) as Np.
+  rewrite push_0, Rplus_0_r in Np. rewrite <- Np in B, C. set (y := hh p ^ 2 - m2 / M * depth p ^ 2) in *.
+  assert (Sy : 0 < sqrt y) by positive. assert (Ey : sqrt y ^ 2 = y) by (apply pow2_sqrt; lra). rewrite <- Ey in En.
   assert (Ve : v1 e = v2 e) by (destruct Hk; subst k; lra). assert (Sg : forall j, j = 1 \/ j = -1 -> j * v1 e < 0 ->
     exists t2 u, e <= t2 /\ 0 < u /\ on_ray m1 m2 a2 b (- j) u x v1 v2 t2 /\ forall r, e <= r <= t2 -> v1 r = v2 r).
   { intros j Hj N. destruct (to_ray_side m1 m2 a2 b Hm1 Hm2 Ha2 Hb j x v1 v2 s e (sqrt y) Hj H He Ve Xe N Sy En)

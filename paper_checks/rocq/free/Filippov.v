@@ -194,8 +194,8 @@ Lemma stuck_rate t : 0 < t -> continuous u t -> w t = 0 -> (forall d, 0 < d -> e
 Proof.
   intros Ht Cu W Cr. assert (Kp : 0 < kap) by positive.
   assert (Cw : cont w) by exact (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H).
-  assert (Li : forall p q, 0 <= p <= q -> - (q - p) <= s q - s p <= q - p) by (intros; apply Rabs_inv, (f_lip _ _ _ _ _
-    _ _ _ _ _ H); auto).
+  assert (Li : forall p q, 0 <= p <= q -> - (q - p) <= s q - s p <= q - p)
+    by (intros; apply Rabs_inv, (f_lip _ _ _ _ _ _ _ _ _ _ H); auto).
   assert (Gs : forall p q, g q - g p = w q - w p + kap * b * (s q - s p)) by (intros; unfold g; ring).
   assert (Bd : Rabs (load t) <= b).
   { apply Rnot_lt_le. intros G. set (e := kap * (Rabs (load t) - b) / 2).
@@ -209,8 +209,8 @@ Proof.
   destruct (Cr d ltac:(lra)) as (z & Hz & Wz). exists (t - z). split; [lra|]. intros q Hq. rewrite W.
   replace (w q - 0 - 0 * (q - t)) with (w q) by ring.
   destruct (Req_dec (w q) 0) as [->|Nq]; [rewrite Rabs_R0; pose proof (Rabs_pos (q - t)); nra|].
-  assert (exists k, (k = 1 \/ k = -1) /\ 0 < k * w q) as (k & Hk & Wq) by (destruct (Rlt_dec 0 (w q)); [exists 1|exists
-    (-1)]; split; auto; lra).
+  assert (exists k, (k = 1 \/ k = -1) /\ 0 < k * w q) as (k & Hk & Wq)
+    by (destruct (Rlt_dec 0 (w q)); [exists 1|exists (-1)]; split; auto; lra).
   replace (Rabs (w q)) with (k * w q) by (destruct Hk; subst k; [rewrite Rabs_pos_eq|rewrite Rabs_left]; lra).
   assert (A : k * load t <= b) by (apply Rabs_inv in Bd; destruct Hk; subst k; lra).
   set (y := kap * (k * load t - b)). assert (Y : y <= 0).
@@ -245,9 +245,9 @@ Proof.
       apply (derive_near (fun r => / (kap * b) * (g r - w r)) s t 1); [lra|intros; unfold g; field; lra|].
       replace (load t / b) with (/ (kap * b) * minus (kap * load t) 0) by (unfold minus, plus, opp; simpl; field; lra).
       apply (is_derive_scal (fun r => g r - w r)), (is_derive_minus g w); [apply derive_g|]; auto.
-    - assert (exists k, (k = 1 \/ k = -1) /\ 0 < k * w t) as (k & Hk & Wt) by (destruct (Rlt_dec 0 (w t)); [exists
-        1|exists (-1)]; split; auto; lra). exists k. split; [|destruct Hk; subst k; lra].
-      pose proof (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H) as Cw.
+    - assert (exists k, (k = 1 \/ k = -1) /\ 0 < k * w t) as (k & Hk & Wt)
+        by (destruct (Rlt_dec 0 (w t)); [exists 1|exists (-1)]; split; auto; lra). exists k.
+      split; [|destruct Hk; subst k; lra]. pose proof (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H) as Cw.
       destruct (cont_scal k _ Cw t ltac:(lra) _ Wt) as (d & Hd & K). set (d' := Rmin d t / 2). pose proof (Rmin_l d t).
       pose proof (Rmin_r d t). assert (0 < Rmin d t) by positive.
       apply (derive_near (fun r => s (t - d') + k * (r - (t - d'))) s t d'); [unfold d'; lra| |auto_derive; auto; ring].
@@ -274,8 +274,8 @@ Qed.
 Theorem forced_filippov : almost (continuous u) -> filippov u x v1 v2.
 Proof.
   destruct motion_ac as (Ax & A1 & A2 & _). repeat (split; [auto|]). apply (almost_impl (fun t => (0 < t /\ continuous u
-    t) /\ (w t = 0 -> forall d, 0 < d -> exists r, t - d < r < t /\ w r = 0))); [intros t _ ((Ht & Ct) & Cr); apply
-    motion_included; auto|].
+    t) /\ (w t = 0 -> forall d, 0 < d -> exists r, t - d < r < t /\ w r = 0)));
+    [intros t _ ((Ht & Ct) & Cr); apply motion_included; auto|].
   apply almost_and; [apply almost_and; auto using almost_later|exact (almost_crowded (fun t => w t = 0))].
 Qed.
 End Motion.

@@ -31,9 +31,9 @@ Theorem ratio_set ps g : 0 < ps < PI -> K ps = 0 -> ratio ps <= g <= 1 ->
 Proof.
   intros Hps Z Hg. destruct (signs ps ltac:(lra) Z) as (Le & Ri). assert (Falls : forall p q, 0 < p -> p < q -> q <= ps
     -> ratio q < ratio p) by (intros p q Hp Hq H; apply (ratio_step p q); try lra; intros; apply Le; lra).
-  assert (Rises : forall p q, ps <= p -> p < q -> q < PI -> ratio p < ratio q) by (intros p q Hp Hq H; apply (ratio_step
-    p q); try lra; intros; apply Ri; lra). destruct (half_spec (1 / 2) ltac:(lra)) as (Hh & Eh).
-  set (pa := Rmin (half (1 / 2)) (ps / 2)).
+  assert (Rises : forall p q, ps <= p -> p < q -> q < PI -> ratio p < ratio q)
+    by (intros p q Hp Hq H; apply (ratio_step p q); try lra; intros; apply Ri; lra).
+  destruct (half_spec (1 / 2) ltac:(lra)) as (Hh & Eh). set (pa := Rmin (half (1 / 2)) (ps / 2)).
   assert (Pa : 0 < pa < ps /\ pa <= half (1 / 2)) by (unfold pa, Rmin; destruct Rle_dec; lra).
   assert (Ra : 1 < ratio pa) by (apply ratio_short; [lra|rewrite <- Eh; apply hh_le; lra]).
   set (pb := Rmax (PI - / 20) ((ps + PI) / 2)).
@@ -90,8 +90,8 @@ Proof.
   split; [rewrite <- A6; apply Eq; lra|]. split.
   - intros Hlt. apply (A7 ps Hps). assert (0 < r - ratio ps ^ 2) by (rewrite Sh; apply Rmult_lt_0_compat; lra). nra.
   - intros p Hp. destruct (Eq p Hp) as (E & Q & D). destruct (A7 p Hp) as (<- & <-). rewrite E, Rpow_mult_distr, <- SS.
-    split; split; intros I; [apply Rmult_le_reg_r in I|apply Rmult_le_compat_r| apply Rmult_lt_reg_r in I|apply
-      Rmult_lt_compat_r]; nra.
+    split; split; intros I; [apply Rmult_le_reg_r in I|apply Rmult_le_compat_r| apply Rmult_lt_reg_r
+      in I|apply Rmult_lt_compat_r]; nra.
 Qed.
 
 (** *** Light drivers: the interval tends to the one between the roots of hh = depth *)

@@ -97,8 +97,8 @@ Lemma reentry_above t0 t : first_reentry L x v1 v2 t0 t -> forall k d u, k = 1 \
   (0 < d \/ (d = 0 /\ 0 < u)) -> at_gap m1 m2 a2 b k d u x v1 v2 t0 -> above t.
 Proof.
   induction 1 as [t0 t1 C I|t0 t1 t C O F IH]; intros k d u Hk Ht Hd HG.
-  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1) by
-    positive.
+  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1)
+    by positive.
   all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & Sg & A & B & V & En);
     fold o1 in Sg, A, B, V, En.
   all: assert (T : t1 = t0 + 2 * p / o1) by (apply (contact_unique v1 v2 t0); auto; split; [lra|split;

@@ -37,9 +37,9 @@ Proof.
   assert (Ok : forall n, ok m1 m2 (ph n)) by (intros; apply orb_ok; auto).
   assert (Sp : forall n, 0 < sl n) by (intros n; apply (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (Ok n))).
   assert (T0 : forall n, t0 <= tm n) by (intros; apply tim_start; auto).
-  assert (Cy : forall n, sl n < cyc m1 m2 a2 (ph n) /\ (forall u, 0 < u < sl n -> k * (-1) ^ n * v1 (tm n + u) < k *
-    (-1) ^ n * v2 (tm n + u)) /\ (forall u, sl n <= u <= cyc m1 m2 a2 (ph n) -> v1 (tm n + u) = v2 (tm n + u) /\ - L <=
-    x (tm n + u) <= L)).
+  assert (Cy : forall n, sl n < cyc m1 m2 a2 (ph n) /\
+    (forall u, 0 < u < sl n -> k * (-1) ^ n * v1 (tm n + u) < k * (-1) ^ n * v2 (tm n + u)) /\
+    (forall u, sl n <= u <= cyc m1 m2 a2 (ph n) -> v1 (tm n + u) = v2 (tm n + u) /\ - L <= x (tm n + u) <= L)).
   { intros n. pose proof (exits m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hp HR n) as Rn.
     destruct (cycle m1 m2 a2 b Hm1 Hm2 Ha2 Hb (k * (-1) ^ n) x v1 v2 s (tm n) (ph n) (sides k n Hk) H ltac:(pose proof
       (T0 n); lra) (Ok n) Rn) as (_ & _ & C). split; [apply (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (Ok n))|exact C]. }

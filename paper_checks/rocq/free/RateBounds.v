@@ -21,8 +21,8 @@ Proof.
     - intros t Ht. apply Rmult_le_pos; [pose proof (sin_ge_0 t ltac:(lra) ltac:(lra)); lra|].
       pose proof (sin_below t ltac:(lra)). lra. }
   assert (Le : hh u ^ 2 <= depth u ^ 2 * (1 + ct u ^ 2)).
-  { replace (depth u ^ 2 * (1 + ct u ^ 2)) with ((2 * (sin u - u * cos u) / sin u ^ 2) ^ 2) by (unfold depth, ct; trig
-      u). apply pow_incr. split; [positive|]. apply Rmult_le_compat_r; [positive|lra]. }
+  { replace (depth u ^ 2 * (1 + ct u ^ 2)) with ((2 * (sin u - u * cos u) / sin u ^ 2) ^ 2)
+      by (unfold depth, ct; trig u). apply pow_incr. split; [positive|]. apply Rmult_le_compat_r; [positive|lra]. }
   assert (2 * (hh u ^ 2 - depth u ^ 2 * (1 + ct u ^ 2)) / hh u ^ 3 <= 0); [|nra]. undivide (hh u ^ 3). lra.
 Qed.
 Lemma inward_grows p p0 : 0 < p -> p <= p0 -> p0 <= PI / 2 -> 2 * p - hh p <= 2 * p0 - hh p0.
@@ -155,8 +155,8 @@ Proof.
     assert (sqrt q * (2 * p - hh p) <= 1 * (4 / 3)) by (apply Rmult_le_compat; lra). nra. }
   set (ph := orb m1 m2 p). assert (Ok : forall n, ok m1 m2 (ph n)) by (intros; apply orb_ok; auto).
   assert (Pi : forall n, 0 < ph n < PI) by (intros; apply (ok_pi m1 m2), Ok).
-  assert (Step : forall n, hh (ph (S n)) ^ 2 = hh (ph n) ^ 2 - r * depth (ph n) ^ 2) by (intros n; apply (next_ok m1 m2
-    Hm1 Hm2 (ph n) (Ok n))).
+  assert (Step : forall n, hh (ph (S n)) ^ 2 = hh (ph n) ^ 2 - r * depth (ph n) ^ 2)
+    by (intros n; apply (next_ok m1 m2 Hm1 Hm2 (ph n) (Ok n))).
   assert (Le : forall n, 0 < ph n <= p) by (intros n; split; [apply Pi|exact (phi_0 r r_pos ph Pi Step n)]).
   assert (Push : forall n, hh (ph n) <= hh p) by (intros n; exact (push_below m1 m2 Hm1 Hm2 p Hok n)).
   assert (Cn : forall n, 0 < depth (ph n) <= c0).

@@ -35,9 +35,9 @@ Theorem depth_upper p : 0 < p < PI -> depth p <= 3 / 2 * hh p ^ 2.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (depth_above p ltac:(lra)) as Q.
   unfold depth, hh. apply Rmult_le_reg_r with (2 * sin p ^ 4). { positive. }
-  replace (2 * (sin p - p * cos p) / sin p * (2 * sin p ^ 4)) with (4 * (sin p - p * cos p) * sin p ^ 3) by (field;
-    lra). replace (3 / 2 * ((p - sin p * cos p) / sin p ^ 2) ^ 2 * (2 * sin p ^ 4)) with (3 * (p - sin p * cos p) ^ 2)
-    by (field; lra). auto.
+  replace (2 * (sin p - p * cos p) / sin p * (2 * sin p ^ 4)) with (4 * (sin p - p * cos p) * sin p ^ 3)
+    by (field; lra). replace (3 / 2 * ((p - sin p * cos p) / sin p ^ 2) ^ 2 * (2 * sin p ^ 4))
+    with (3 * (p - sin p * cos p) ^ 2) by (field; lra). auto.
 Qed.
 
 (** [depth-lower] The depth of an excursion is at least $\tfrac{3}{2}(\sin\varphi/\varphi)^6h^2$. *)
@@ -188,6 +188,7 @@ Proof.
   apply lim_within with (2 := root_to_zero (3 / 2)). intros n. pose proof (Hphi n). pose proof (hh_below _ (Hphi n)).
   unfold y. rewrite sqrt_pow2, Rminus_0_r, Rabs_pos_eq; lra.
 Qed.
+(** so the gain of 1/y tends to kappa *)
 Lemma d_limit : is_lim_seq d kappa.
 Proof.
   assert (Sl : is_lim_seq si 1).

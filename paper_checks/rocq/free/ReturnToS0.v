@@ -47,18 +47,18 @@ Lemma gap_level k d u t : k = 1 \/ k = -1 -> at_gap m1 m2 a2 b k d u x v1 v2 t -
 Proof.
   intros Hk (A & B & C). pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 u) as R. fold q L Ecr in R, A.
   assert (V : v2 t = v1 t) by (destruct Hk; subst k; lra). unfold E. rewrite V.
-  replace (energy m1 m2 a2 (x t) (v1 t) (v1 t)) with (energy m1 m2 a2 (k * x t) (k * v1 t) (k * v1 t)) by (unfold
-    energy; destruct Hk; subst k; field). rewrite A, B. replace (energy m1 m2 a2 (L * (1 + q * d)) (ray m1 m2 a2 b u)
-    (ray m1 m2 a2 b u)) with (energy m1 m2 a2 L (ray m1 m2 a2 b u) (ray m1 m2 a2 b u) + Ecr * ((1 + q * d) ^ 2 - 1)) by
-    (unfold Ecr; rewrite Ecr_L by auto; fold L; unfold energy; field). rewrite R. ring.
+  replace (energy m1 m2 a2 (x t) (v1 t) (v1 t)) with (energy m1 m2 a2 (k * x t) (k * v1 t) (k * v1 t))
+    by (unfold energy; destruct Hk; subst k; field). rewrite A, B. replace (energy m1 m2 a2 (L * (1 + q * d)) (ray m1 m2
+    a2 b u) (ray m1 m2 a2 b u)) with (energy m1 m2 a2 L (ray m1 m2 a2 b u) (ray m1 m2 a2 b u) + Ecr * ((1 + q * d) ^ 2 -
+    1)) by (unfold Ecr; rewrite Ecr_L by auto; fold L; unfold energy; field). rewrite R. ring.
 Qed.
 
 (** every contact beyond S0 is at some gap and some push *)
 Lemma beyond_gap t : v1 t = v2 t -> ~ (- L <= x t <= L) ->
   exists k d u, (k = 1 \/ k = -1) /\ 0 < d /\ at_gap m1 m2 a2 b k d u x v1 v2 t.
 Proof.
-  intros Ev N. assert (K : exists k, (k = 1 \/ k = -1) /\ L < k * x t) by (destruct (Rlt_dec L (x t)); [exists 1|exists
-    (-1)]; split; auto; lra). destruct K as (k & Hk & HL).
+  intros Ev N. assert (K : exists k, (k = 1 \/ k = -1) /\ L < k * x t)
+    by (destruct (Rlt_dec L (x t)); [exists 1|exists (-1)]; split; auto; lra). destruct K as (k & Hk & HL).
   exists k, ((k * x t / L - 1) / q), (k * v1 t * (m2 * o1) / b). split; [auto|]. split.
   - apply Rdiv_lt_0_compat; auto. assert (1 < k * x t / L); [|lra]. undivide L. lra.
   - unfold at_gap, ray. fold q L o1. rewrite Ev. repeat split; field; repeat split; lra.
@@ -118,12 +118,12 @@ Proof.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & _ & _ & _ & _ & B).
   fold o1 q Ecr in B. pose proof (gap_level k d (push d p) t0 Hk HG) as A. rewrite level_loss in B by auto.
   fold q r in B. pose proof (least_angle_in e Hep) as P0. pose proof (depth_pos (least_angle e) P0) as D0.
-  assert (D1 : depth (least_angle e) <= depth p) by (destruct (Req_dec (least_angle e) p) as [->|]; [|apply Rlt_le,
-    depth_incr]; lra). assert (D2 : depth (least_angle e) ^ 2 <= depth p * (depth p + 2 * d)).
+  assert (D1 : depth (least_angle e) <= depth p) by (destruct (Req_dec (least_angle e) p) as [->|];
+    [|apply Rlt_le, depth_incr]; lra). assert (D2 : depth (least_angle e) ^ 2 <= depth p * (depth p + 2 * d)).
   { assert (depth (least_angle e) ^ 2 <= depth p ^ 2) by (apply pow_incr; lra). assert (0 <= depth p * d) by positive.
     lra. }
-  change (energy m1 m2 a2 (x (t0 + 2 * p / o1)) (v1 (t0 + 2 * p / o1)) (v2 (t0 + 2 * p / o1))) with (E (t0 + 2 * p /
-    o1)) in B. unfold least_cost.
+  change (energy m1 m2 a2 (x (t0 + 2 * p / o1)) (v1 (t0 + 2 * p / o1)) (v2 (t0 + 2 * p / o1)))
+    with (E (t0 + 2 * p / o1)) in B. unfold least_cost.
   assert (Ecr * (q * r) * depth (least_angle e) ^ 2 <= Ecr * (q * r) * (depth p * (depth p + 2 * d))) by scale. lra.
 Qed.
 
@@ -133,8 +133,8 @@ Lemma returns_paid e n : 0 < e -> forall k d u t0, k = 1 \/ k = -1 -> 0 <= t0 ->
     first_reentry L x v1 v2 t0 t /\ t <= t0 + (INR n + 1) * (2 * PI / o1).
 Proof.
   intros Hep. induction n as [|n IH]; intros k d u t0 Hk Ht Hd HG He En.
-  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1) by
-    positive; assert (T1 : 2 * p / o1 <= 2 * PI / o1) by scale.
+  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1)
+    by positive; assert (T1 : 2 * p / o1 <= 2 * PI / o1) by scale.
   all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & Sg & A & B & C & _).
   all: fold o1 in Sg, A, B, C; fold q L in A; fold q in A; set (t1 := t0 + 2 * p / o1) in *.
   all: assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra). all: assert (Ct : contact_after v1 v2 t0 t1)

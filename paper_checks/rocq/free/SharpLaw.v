@@ -162,8 +162,8 @@ Proof.
   assert (ToT : om * (t1 - t0) <= PI) by (replace PI with (om * (PI / om)) by (field; lra); scale; lra).
   set (T := PI + 6 * sqrt w0). set (T' := PI - 6 * sqrt w0).
   (* from the first exit on *)
-  assert (Ray : t1 <= t -> / w0 + K * (sin p / p) ^ 12 * (om * (t - t1) / T - 1) <= / w t /\ (0 < T' -> / w t <= / w0 +
-    A * (om * (t - t1) / T' + 1))).
+  assert (Ray : t1 <= t -> / w0 + K * (sin p / p) ^ 12 * (om * (t - t1) / T - 1) <= / w t /\
+    (0 < T' -> / w t <= / w0 + A * (om * (t - t1) / T' + 1))).
   { intros G.
     destruct (two_sided_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) Hp HR t G) as (Lo & Up).
     change (orb m1 m2 p 0) with p in Lo, Up. fold om M in Lo, Up. fold q r in Lo, Up. fold Ecr in Lo, Up.

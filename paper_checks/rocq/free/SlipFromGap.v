@@ -12,8 +12,8 @@ Lemma ct_falls p q : 0 < p -> p < q -> q < PI -> ct q < ct p.
 Proof.
   intros. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin_gt_0 q ltac:(lra) ltac:(lra)) as S'.
   assert (E : ct p - ct q = sin (q - p) / (sin p * sin q)). { rewrite sin_minus. unfold ct. field. lra. }
-  assert (0 < sin (q - p) / (sin p * sin q)) by (apply Rdiv_lt_0_compat; [apply sin_gt_0; lra|apply Rmult_lt_0_compat;
-    auto]). lra.
+  assert (0 < sin (q - p) / (sin p * sin q)) by (apply Rdiv_lt_0_compat;
+    [apply sin_gt_0; lra|apply Rmult_lt_0_compat; auto]). lra.
 Qed.
 Lemma ct_atan c : ct (PI / 2 - atan c) = c.
 Proof. unfold ct. rewrite sin_shift, cos_shift. apply tan_atan. Qed.
@@ -121,11 +121,11 @@ Lemma gap_end d p : 0 < p < PI -> let D := depth p + d in
 Proof.
   intros Hp D. assert (O : 0 < o1) by (apply o1_pos; auto).
   assert (A1 : push d p - 2 * p = - (hh p + ct p * D)) by (unfold D; rewrite <- next_push; auto; ring).
-  assert (E1 : push d p * (1 - 2 * sin p * sin p) - (1 + d) * (2 * sin p * cos p) = push d p - 2 * p) by (unfold push,
-    hh, ct; trig p). assert (E2 : (1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p) = 1 - D) by (unfold
-    D, push, hh, ct, depth; trig p). unfold Gx, G1, G2. replace (o1 * (2 * p / o1)) with (2 * p) by (field; lra).
-  rewrite cos_2a_sin, sin_2a, E1, E2, A1. unfold ray, Cycle.ray. fold o1. split; [|split; ring].
-  unfold L, Stick.L, q, M. field. repeat split; lra.
+  assert (E1 : push d p * (1 - 2 * sin p * sin p) - (1 + d) * (2 * sin p * cos p) = push d p - 2 * p)
+    by (unfold push, hh, ct; trig p). assert (E2 : (1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p) =
+    1 - D) by (unfold D, push, hh, ct, depth; trig p). unfold Gx, G1, G2.
+  replace (o1 * (2 * p / o1)) with (2 * p) by (field; lra). rewrite cos_2a_sin, sin_2a, E1, E2, A1.
+  unfold ray, Cycle.ray. fold o1. split; [|split; ring]. unfold L, Stick.L, q, M. field. repeat split; lra.
 Qed.
 
 (** the energy at X = 1 - q D and the speed ray w: E_cr (1 + q y'), y' = w^2 - 2 D + q D^2 *)
@@ -257,8 +257,8 @@ Theorem slip x v1 v2 s t0 p : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < 
   v1 (t0 + 2 * p / o1) = ray (hh p - 2 * p) /\ v2 (t0 + 2 * p / o1) = ray (hh p - 2 * p).
 Proof.
   intros H Ht Hp HR. apply ray_gap in HR. rewrite <- (push_0 p) in HR.
-  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb 1 x v1 v2 s t0 0 p (or_introl eq_refl) H Ht (Rle_refl 0) Hp HR) as (_ &
-    Sg & A & B & C & _). pose proof (next_push 0 p Hp) as N. rewrite push_0 in N. rewrite <- N in B, C.
+  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb 1 x v1 v2 s t0 0 p (or_introl eq_refl) H Ht (Rle_refl 0) Hp HR)
+    as (_ & Sg & A & B & C & _). pose proof (next_push 0 p Hp) as N. rewrite push_0 in N. rewrite <- N in B, C.
   fold o1 in Sg, A, B, C. fold L M in A. fold q in A. unfold ray, Cycle.ray in *.
   split; [intros u Hu; specialize (Sg (t0 + u) ltac:(lra)); lra|]. repeat split; lra.
 Qed.

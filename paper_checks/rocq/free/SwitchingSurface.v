@@ -44,8 +44,8 @@ Proof.
   intros Hk. assert (P : 0 < / (m1 * m2)) by positive.
   assert (Lm : L * (a2 * m2) = b * (m1 + m2)) by (unfold L, Stick.L; field; lra). assert (A0 : 0 < a2 * m2) by positive.
   unfold normal_rate. split; intros Hy.
-  - assert (0 < (a2 * m2 * y + k * b * (m1 + m2)) * / (m1 * m2)) by (apply Rmult_lt_0_compat; auto; destruct Hk; subst
-      k; nra). lra.
+  - assert (0 < (a2 * m2 * y + k * b * (m1 + m2)) * / (m1 * m2))
+      by (apply Rmult_lt_0_compat; auto; destruct Hk; subst k; nra). lra.
   - apply Rmult_lt_0_compat; auto. destruct Hk; subst k; nra.
 Qed.
 (** [transversal-inside] Both fields point back to $S$ exactly in the interior of $S_0$, back or along it exactly on
