@@ -22,14 +22,8 @@ Let O0 : 0 < o1. Proof. apply o1_pos; auto. Qed.
 Let Emono t u : 0 <= t <= u -> E u <= E t.
 Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). Qed.
 
-Let Eq_pos y : 0 < y -> 0 < Ecr * (q * y).
-Proof. intros. apply Rmult_lt_0_compat; [exact E0|]. apply Rmult_lt_0_compat; [exact q0|auto]. Qed.
 Let level_le y : Ecr * (1 + q * y) <= Ecr <-> y <= 0.
-Proof.
-  split; intros Q.
-  - destruct (Rle_dec y 0) as [|n]; auto. exfalso. pose proof (Eq_pos y ltac:(lra)). lra.
-  - destruct (Req_dec y 0) as [->|]; [lra|]. pose proof (Eq_pos (- y) ltac:(lra)). lra.
-Qed.
+Proof. assert (P : 0 < Ecr * q) by positive. split; nra. Qed.
 
 (** [sticks-iff] On $S$ the pair sticks permanently exactly if its energy is at most $E_{cr}$. *)
 Theorem sticks_iff t : 0 <= t -> v1 t = v2 t -> (sticks t <-> E t <= Ecr).
@@ -48,8 +42,8 @@ Proof.
     + destruct (Rle_dec (E t) Ecr) as [|n]; auto. exfalso. destruct (Lim ((E t - Ecr) / 2) ltac:(lra)) as (T & HT & K).
       pose proof (Rmax_l T t). pose proof (Rmax_r T t). specialize (K (Rmax T t) ltac:(lra)).
         pose proof (C (Rmax T t) ltac:(lra)). unfold E in *. lra.
-  - intros HE u Hu. destruct (capture m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t H Ht Ev HE u Hu) as (_ & A & B).
-    rewrite A, B. auto.
+  - intros HE u Hu. destruct (capture m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t H Ht Ev HE u Hu) as (_ & A & B). rewrite A.
+    auto.
 Qed.
 
 (** [re-entry] A slip from $S$ with a gap and the initial speed of an angle that ends in $S_0$ sticks there
@@ -64,25 +58,18 @@ Theorem reentry k t0 d p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 <= d -> 0 < p < PI ->
   (0 < y -> Ecr < E t1 /\ exists k' t2, (k' = 1 \/ k' = -1) /\ t1 <= t2 < t1 + PI / om /\
      on_ray m1 m2 a2 b k' (sqrt y) x v1 v2 t2 /\ forall t, t1 <= t <= t2 -> v1 t = v2 t).
 Proof.
-  intros Hk Ht Hd Hp HG HD t1 y. assert (T0 : 0 < 2 * p / o1) by positive.
+  intros Hk Ht Hd Hp HG HD t1 y.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & Sg & A & B & C & En).
-  fold o1 t1 in Sg, A, B, C, En. fold M in A. fold q L in A. fold M in En. fold q Ecr y in En.
-  assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra). pose proof (depth_pos p Hp) as Dp.
-    set (D := depth p + d) in *.
-  assert (QD : 0 < q * D <= 2). { split; [apply Rmult_lt_0_compat; unfold D; lra|].
-    replace 2 with (q * (2 / q)) by (field; lra). scale. }
-  assert (Hx : - L <= x t1 <= L). { assert (- L <= k * x t1 <= L) by (rewrite A; split; nra).
-    destruct Hk; subst k; lra. }
-  change (E t1 = Ecr * (1 + q * y)) in En. assert (T1 : 0 <= t1) by (unfold t1; lra).
-  assert (Iff : E t1 <= Ecr <-> y <= 0) by (rewrite En; apply level_le).
-  repeat (split; [auto; fail|]). split; [rewrite sticks_iff; auto|]. split.
-  - intros Y. apply (capture m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t1 H); auto. fold Ecr. apply Iff; auto.
-  - intros Y. split. { destruct (Rlt_dec Ecr (E t1)) as [|n]; auto. exfalso. apply Rnot_lt_le in n.
-    apply Iff in n. lra. }
+  fold o1 t1 in Sg, A, B, C, En. assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra).
+  assert (Hx : - L <= x t1 <= L) by exact (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ d p Hk Hd Hp A HD).
+  change (E t1 = Ecr * (1 + q * y)) in En. assert (T1 : 0 <= t1) by positive.
+  assert (Iff : E t1 <= Ecr <-> y <= 0) by (rewrite En; apply level_le). repeat (split; [auto; fail|]).
+  split; [rewrite sticks_iff; auto|]. split.
+  - intros Y. apply (capture m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t1 H); auto. apply Iff; auto.
+  - intros Y. split; [apply Rnot_le_lt; intros N; apply Iff in N; lra|].
     destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t1 (sqrt y)) as (k' & t2 & A1 & A2 & A3 & A4); auto.
     + positive.
-    + change (E t1 = Ecr * (1 + q * sqrt y ^ 2)). rewrite En. do 2 f_equal.
-      replace (sqrt y ^ 2) with (sqrt y * sqrt y) by ring. rewrite sqrt_sqrt by lra. auto.
+    + change (E t1 = Ecr * (1 + q * sqrt y ^ 2)). rewrite En, pow2_sqrt; lra.
     + exists k', t2. repeat (split; [auto; fail|]). intros t Hu. apply A4; auto.
 Qed.
 
@@ -95,21 +82,16 @@ Theorem merges_at_first_landing k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < P
   E t1 = Ecr * (1 + q * (hh p ^ 2 - r * depth p ^ 2)) /\
   (sticks t1 <-> hh p ^ 2 <= r * depth p ^ 2) /\ (hh p ^ 2 <= r * depth p ^ 2 -> depth p <= 2 / q).
 Proof.
-  intros Hk Ht Hp HR t1. apply ray_gap in HR. rewrite <- push_0 in HR.
-    assert (T0 : 0 < 2 * p / o1) by positive.
+  intros Hk Ht Hp HR t1. apply ray_gap in HR. rewrite <- push_0 in HR. assert (T0 : 0 < 2 * p / o1) by positive.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 0 p Hk H Ht (Rle_refl 0) Hp HR) as (_ & Sg & A & B &
-    C & En).
-  fold o1 t1 in Sg, A, B, C, En. rewrite Rplus_0_r in A, B, C. rewrite level_0 in En by auto. fold M in A, En.
-    fold q L in A. fold q r Ecr in En.
-  assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra).
-    change (E t1 = Ecr * (1 + q * (hh p ^ 2 - r * depth p ^ 2))) in En.
-  set (y := hh p ^ 2 - r * depth p ^ 2) in *.
+    C & En). fold o1 t1 in Sg, A, B, C, En. rewrite Rplus_0_r in A, B, C. rewrite level_0 in En by auto.
+  fold M in A, En. fold q L in A. assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra).
+  change (E t1 = Ecr * (1 + q * (hh p ^ 2 - r * depth p ^ 2))) in En. set (y := hh p ^ 2 - r * depth p ^ 2) in *.
   assert (Iff : E t1 <= Ecr <-> hh p ^ 2 <= r * depth p ^ 2) by (rewrite En, level_le; unfold y; split; intros; lra).
   repeat (split; [auto; fail|]). split; [rewrite sticks_iff; auto; unfold t1; lra|].
   (* E <= E_cr on S forces the place into [-L, L] *)
-  intros Q. apply Iff in Q. unfold E in Q. rewrite <- Ev in Q.
-    apply (on_surface_inside m1 m2 a2 b Hm1 Hm2 Ha2 Hb) in Q. fold L in Q.
-  assert (N : - L <= k * x t1) by (destruct Hk; subst k; lra). rewrite A in N. undivide q. nra.
+  intros Q. apply Iff in Q. unfold E in Q. rewrite <- Ev in Q. apply (on_surface_inside m1 m2 a2 b Hm1 Hm2 Ha2 Hb) in Q.
+  fold L in Q. undivide q. nra.
 Qed.
 
 (** [ray-crossing] From a ray with the exit speed of an angle whose depth is above $2/q$ the pair crosses $S$ and
@@ -126,9 +108,9 @@ Proof.
   destruct (crossing m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 0 p Hk H Ht (Rle_refl 0) Hp HR) as (A & B & C & _ & F).
   { fold M. fold q. lra. }
   fold M in A, C, F. fold q o1 in A, B, C, F. fold t1 in B, C, F. rewrite Rplus_0_r in A, C, F. fold d in A, C, F.
-  rewrite (push_0 p) in C, F. fold u in C, F.
+  rewrite (push_0 p) in C, F.
   assert (P : k * x t1 = - L * (1 + q * d)). { destruct C as (C & _). fold M in C. fold q L in C. lra. }
-  assert (0 < L * (q * d)) by positive.
-  repeat (split; [auto; fail|]). split; [rewrite P; lra|]. split; [exact C|exact F].
+  assert (0 < L * (q * d)) by positive. repeat (split; [auto; fail|]). split; [rewrite P; lra|].
+  split; [exact C|exact F].
 Qed.
 End Cross.

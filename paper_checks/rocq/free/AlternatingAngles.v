@@ -12,26 +12,12 @@ Qed.
 (** h' = c (1 + k^2), in the half angle *)
 Lemma derive_hh p : 0 < p < PI -> is_derive hh p (depth p * (1 + ct p ^ 2)).
 Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  replace (depth p * (1 + ct p ^ 2)) with ((1 - (cos p * cos p - sin p * sin p)) / sin p ^ 2 - 2 * cos p * (p -
-    sin p * cos p) / sin p ^ 3).
-  - unfold hh. auto_derive; [apply Rgt_not_eq; nra|]. field. lra.
-  - rewrite inv_sin2 by auto. unfold depth.
-    replace (1 - (cos p * cos p - sin p * sin p)) with (2 * (sin p * sin p)) by lra.
-    apply Rmult_eq_reg_r with (sin p ^ 3); [|apply pow_nonzero; lra].
-    replace ((2 * (sin p * sin p) / sin p ^ 2 - 2 * cos p * (p - sin p * cos p) / sin p ^ 3) * sin p ^ 3)
-      with (2 * sin p * (sin p * sin p + cos p * cos p) - 2 * p * cos p + 2 * sin p * (1 - (sin p * sin p + cos p
-        * cos p)) + 2 * sin p * (cos p * cos p) - 2 * sin p * (1 - sin p * sin p)).
-    2:{ field_simplify_eq; [|lra]. ring. }
-    rewrite SC. replace (cos p * cos p) with (1 - sin p * sin p) by lra. field. lra.
+  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. unfold hh, depth, ct.
+  auto_derive; [apply Rgt_not_eq; nra|trig p].
 Qed.
 (** c' = 2 h, in the half angle *)
 Lemma derive_depth p : 0 < p < PI -> is_derive depth p (2 * hh p).
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  unfold hh, depth. auto_derive; [lra|]. set (s := sin p) in *. set (c := cos p) in *. clearbody s c.
-  field_simplify_eq; [|lra]. rewrite ?pow2e, ?pow3e. nsatz.
-Qed.
+Proof. intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. unfold hh, depth. auto_derive; [lra|trig p]. Qed.
 (** A2 *)
 Theorem derive_push_next q p : 0 < q -> 0 < p < PI ->
   is_derive (fun p => hh p + 2 * ct p / q) p ((depth p - 2 / q) * (1 + ct p ^ 2)).
@@ -56,15 +42,13 @@ Lemma ct_half_pi : ct (PI / 2) = 0. Proof. unfold ct. rewrite cos_PI2, sin_PI2. 
 (** the slope increases beyond pi/2: P is convex there *)
 Lemma dP_incr u v : PI / 2 <= u -> u < v -> v < PI -> dP u < dP v.
 Proof.
-  intros. pose proof PI_RGT_0. pose proof (ct_falls u v ltac:(lra) ltac:(lra) ltac:(lra)) as F.
-  assert (U : ct u <= 0). { rewrite <- ct_half_pi. destruct (Req_dec (PI / 2) u) as [<-|]; [lra|].
-    apply Rlt_le, ct_falls; lra. }
+  intros. pose proof (ct_falls u v ltac:(lra) ltac:(lra) ltac:(lra)) as F. assert (U : ct u <= 0).
+  { rewrite <- ct_half_pi. destruct (Req_dec (PI / 2) u) as [<-|]; [lra|]. apply Rlt_le, ct_falls; lra. }
   unfold dP. set (A := - ct u). set (B := - ct v). assert (0 <= A < B) by (unfold A, B; lra).
   replace (- (2 * PI * ct u * (1 + ct u ^ 2)) - 2) with (2 * PI * (A * (1 + A ^ 2)) - 2) by (unfold A; ring).
   replace (- (2 * PI * ct v * (1 + ct v ^ 2)) - 2) with (2 * PI * (B * (1 + B ^ 2)) - 2) by (unfold B; ring).
-  assert (A * (1 + A ^ 2) < B * (1 + B ^ 2)). { assert (A ^ 2 <= B ^ 2) by (apply pow_incr; lra).
-    pose proof (pow2_ge_0 A). nra. }
-  assert (2 * PI * (A * (1 + A ^ 2)) < 2 * PI * (B * (1 + B ^ 2))) by scale. lra.
+  assert (A * (1 + A ^ 2) < B * (1 + B ^ 2)). { assert (A ^ 2 <= B ^ 2) by nra. nra. }
+  assert (2 * PI * (A * (1 + A ^ 2)) < 2 * PI * (B * (1 + B ^ 2))) by nra. lra.
 Qed.
 Lemma ct_2PI3 : ct (2 * (PI / 3)) = - / sqrt 3.
 Proof. unfold ct. rewrite cos_2PI3, sin_2PI3. pose proof (sqrt_lt_R0 3 ltac:(lra)). field. lra. Qed.
@@ -77,45 +61,35 @@ Qed.
 (** A3: P is convex with the zeros pi/2 and 2 pi/3 *)
 Theorem P_sign p : PI / 2 < p < PI -> (0 <= Pf p <-> / sqrt 3 <= - ct p).
 Proof.
-  intros Hp. pose proof PI_RGT_0 as P0. destruct P_zeros as (Z1 & Z2). set (z := 2 * (PI / 3)) in *.
-    assert (Hz : PI / 2 < z < PI) by (unfold z; lra).
+  intros Hp. destruct P_zeros as (Z1 & Z2). set (z := 2 * (PI / 3)) in *.
+  assert (Hz : PI / 2 < z < PI) by (unfold z; lra).
   assert (Mvt : forall u v, PI / 2 <= u -> u < v -> v < PI -> exists t, Pf v - Pf u = dP t * (v - u) /\ u < t < v).
   { intros u v Hu Huv Hv. apply (MVT_cor2 Pf dP u v Huv). intros t Ht. apply is_derive_Reals, derive_P; lra. }
   assert (Iff : 0 <= Pf p <-> z <= p).
   { split; intros Q.
     - destruct (Rle_dec z p) as [|n]; auto. exfalso.
       destruct (Mvt (PI / 2) p ltac:(lra) ltac:(lra) ltac:(lra)) as (t1 & E1 & T1).
-        destruct (Mvt p z ltac:(lra) ltac:(lra) ltac:(lra)) as (t2 & E2 & T2).
-      pose proof (dP_incr t1 t2 ltac:(lra) ltac:(lra) ltac:(lra)). rewrite Z1 in E1. rewrite Z2 in E2.
-      assert (0 <= dP t1). { apply Rmult_le_reg_r with (p - PI / 2); lra. }
-      assert (dP t2 <= 0). { apply Rmult_le_reg_r with (z - p); lra. } lra.
+      destruct (Mvt p z ltac:(lra) ltac:(lra) ltac:(lra)) as (t2 & E2 & T2).
+      pose proof (dP_incr t1 t2 ltac:(lra) ltac:(lra) ltac:(lra)). assert (0 <= dP t1) by nra.
+      assert (dP t2 <= 0) by nra. lra.
     - destruct (Req_dec z p) as [<-|]; [lra|].
       destruct (Mvt (PI / 2) z ltac:(lra) ltac:(lra) ltac:(lra)) as (t1 & E1 & T1).
-        destruct (Mvt z p ltac:(lra) ltac:(lra) ltac:(lra)) as (t2 & E2 & T2).
-      pose proof (dP_incr t1 t2 ltac:(lra) ltac:(lra) ltac:(lra)). rewrite Z1, Z2 in E1. rewrite Z2 in E2.
-      assert (dP t1 = 0). { assert (X : dP t1 * (z - PI / 2) = 0) by lra. apply Rmult_integral in X. lra. }
+      destruct (Mvt z p ltac:(lra) ltac:(lra) ltac:(lra)) as (t2 & E2 & T2).
+      pose proof (dP_incr t1 t2 ltac:(lra) ltac:(lra) ltac:(lra)). assert (dP t1 = 0) by nra.
       assert (0 < dP t2 * (p - z)) by positive. lra. }
-  rewrite Iff. assert (C : / sqrt 3 = - ct z) by (unfold z; rewrite ct_2PI3; ring). rewrite C. split; intros Q.
+  rewrite Iff. assert (C : / sqrt 3 = - ct z) by (unfold z; rewrite ct_2PI3; ring). split; intros Q.
   - destruct (Req_dec z p) as [<-|]; [lra|]. pose proof (ct_falls z p ltac:(lra) ltac:(lra) ltac:(lra)). lra.
   - destruct (Rle_dec z p) as [|n]; auto. pose proof (ct_falls p z ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
 (** the mirror angle theta~ = 2 pi - theta: k~ = - k, h~ + h = pi (1 + k^2); and 2 h - theta = - k c *)
 Lemma ct_mirror p : 0 < p < PI -> ct (PI - p) = - ct p.
-Proof. intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). unfold ct. rewrite sin_PI_x.
-  rewrite <- (Ropp_involutive (cos (PI - p))), <- Rtrigo_facts.cos_pi_minus.
-  replace (PI - (PI - p)) with p by ring. field. lra. Qed.
+Proof. intros Hp. unfold ct. rewrite sin_PI_x, Rtrigo_facts.cos_pi_minus. unfold Rdiv. ring. Qed.
 (** h at the mirror angle: h~ + h = pi (1 + k^2) *)
 Lemma hh_mirror p : 0 < p < PI -> hh (PI - p) + hh p = PI * (1 + ct p ^ 2).
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (ct_mirror p Hp) as C. unfold ct in C.
-    rewrite sin_PI_x in C.
-  assert (C' : cos (PI - p) = - cos p). { apply Rmult_eq_reg_r with (/ sin p); [|apply Rinv_neq_0_compat; lra].
-    unfold Rdiv in C. lra. }
-  rewrite inv_sin2 by auto. unfold hh. rewrite sin_PI_x, C'. field. lra.
-Qed.
+Proof. intros Hp. unfold hh, ct. rewrite sin_PI_x, Rtrigo_facts.cos_pi_minus. trig p. Qed.
 Lemma two_hh p : 0 < p < PI -> 2 * p - 2 * hh p = ct p * depth p.
-Proof. intros Hp. pose proof (next_push 0 p Hp) as Q. rewrite push_0, Rplus_0_r in Q. lra. Qed.
+Proof. intros Hp. pose proof (next_push 0 p Hp) as Q. rewrite push_0 in Q. lra. Qed.
 (** the depth increases *)
 Lemma depth_incr p p' : 0 < p -> p < p' -> p' < PI -> depth p < depth p'.
 Proof.
@@ -129,8 +103,7 @@ Context (q pc : R) (Hq : 0 < q) (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / q)
 (** (a) after a long slip (p >= pc) that crosses, the next contact function at theta~ is at least P *)
 Lemma long_value d p : 0 <= d -> pc <= p < PI -> Pf pc <= push (depth p + d - 2 / q) (PI - pc) - (2 * p - push d p).
 Proof.
-  intros Hd Hp. pose proof PI_RGT_0. rewrite next_push by lra.
-  assert (K : ct p <= ct pc). { destruct (Req_dec pc p) as [<-|]; [lra|]. apply Rlt_le, ct_falls; lra. }
+  intros Hd Hp. assert (K : ct p <= ct pc). { destruct (Req_dec pc p) as [<-|]; [lra|]. apply Rlt_le, ct_falls; lra. }
   set (G := fun p => hh (PI - pc) + hh p - 2 * p + ct pc * (depth p - 2 / q)).
   assert (G0 : G pc = Pf pc). { unfold G, Pf. rewrite Dc. pose proof (hh_mirror pc ltac:(lra)). lra. }
   assert (GI : G pc <= G p).
@@ -163,9 +136,8 @@ Qed.
 Lemma short_value d p : 0 < p <= PI - pc -> 2 / q <= depth p + d ->
   hh pc + Pf pc <= (2 * p - push d p) + ct pc * (depth p + d - 2 / q).
 Proof.
-  intros Hp HD. pose proof PI_RGT_0. rewrite next_push by lra. set (e := depth p + d - 2 / q).
-    replace (depth p + d) with (e + 2 / q) by (unfold e; ring).
-  assert (He : 0 <= e) by (unfold e; lra). pose proof (ct_mirror pc ltac:(lra)) as Cm.
+  intros Hp HD. rewrite next_push by lra. set (e := depth p + d - 2 / q).
+  replace (depth p + d) with (e + 2 / q) by (unfold e; ring). pose proof (ct_mirror pc ltac:(lra)) as Cm.
   assert (K : - ct pc <= ct p). { rewrite <- Cm. destruct (Req_dec p (PI - pc)) as [->|]; [lra|].
     apply Rlt_le, ct_falls; lra. }
   set (F := fun p => hh p + 2 * ct p / q). assert (FI : F (PI - pc) <= F p).
@@ -175,12 +147,9 @@ Proof.
     assert (depth t < 2 / q). { rewrite <- Dc. apply depth_incr; lra. }
     assert (0 <= (2 / q - depth t) * (1 + ct t ^ 2) * (PI - pc - p)) by positive. lra. }
   assert (Fv : F (PI - pc) = hh pc + Pf pc).
-  { unfold F. rewrite Cm. pose proof (hh_mirror pc ltac:(lra)). pose proof (two_hh pc ltac:(lra)) as T.
-    rewrite Dc in T. unfold Pf.
-    replace (2 * - ct pc / q) with (- (ct pc * (2 / q))) by (field; lra). rewrite <- T. lra. }
-  rewrite <- Fv. apply Rle_trans with (1 := FI). unfold F.
-    assert (0 <= (ct p + ct pc) * e) by positive.
-  replace (2 * ct p / q) with (ct p * (2 / q)) by (field; lra). lra.
+  { unfold F. rewrite Cm. pose proof (hh_mirror pc ltac:(lra)). pose proof (two_hh pc ltac:(lra)) as T. rewrite Dc in T.
+    unfold Pf. lra. }
+  rewrite <- Fv. apply Rle_trans with (1 := FI). unfold F. assert (0 <= (ct p + ct pc) * e) by positive. lra.
 Qed.
 (** so the next slip is long *)
 Theorem short_to_long d p p' : 0 <= Pf pc -> 0 < p <= PI - pc -> 2 / q <= depth p + d -> 0 < p' < PI ->

@@ -6,12 +6,9 @@ From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunc
 (** (c), the algebra: the level is a quadratic in D; its least value is positive if 1 - 2 h k < q h^2 *)
 Lemma level_pos m1 m2 p d : 0 < m1 -> 0 < m2 -> 1 - 2 * hh p * ct p < m1 / (m1 + m2) * hh p ^ 2 -> 0 < level m1 m2 p d.
 Proof.
-  intros H1 H2 Hc. assert (Q : 0 < m1 / (m1 + m2)) by positive. unfold level. cbv zeta.
-  set (q := m1 / (m1 + m2)) in *. set (D := depth p + d). set (h := hh p) in *. set (k := ct p) in *. clearbody q D h k.
-  assert (W : 0 < k ^ 2 + q) by (pose proof (pow2_ge_0 k); lra). apply Rmult_lt_reg_l with (k ^ 2 + q); auto.
-  replace ((k ^ 2 + q) * (h ^ 2 - 2 * (1 - h * k) * D + (k ^ 2 + q) * D ^ 2))
-    with (((k ^ 2 + q) * D - (1 - h * k)) ^ 2 + (q * h ^ 2 - (1 - 2 * h * k))) by ring.
-  pose proof (pow2_ge_0 ((k ^ 2 + q) * D - (1 - h * k))). lra.
+  intros H1 H2 Hc. assert (Q : 0 < m1 / (m1 + m2)) by positive. unfold level. set (q := m1 / (m1 + m2)) in *.
+  set (D := depth p + d). set (h := hh p) in *. set (k := ct p) in *. assert (W : 0 < k ^ 2 + q) by nra.
+  apply Rmult_lt_reg_l with (k ^ 2 + q); auto. pose proof (pow2_ge_0 ((k ^ 2 + q) * D - (1 - h * k))). lra.
 Qed.
 
 (** [alternation] Where the longest slip from a ray that ends in $S_0$ has an angle $2\varphi_c\geqslant 4\pi/3$: a
@@ -25,10 +22,9 @@ Theorem alternation m1 m2 a2 b x v1 v2 s k t0 d p pc : 0 < m1 -> 0 < m2 -> 0 < a
   exists p', 0 < p' < PI /\ 0 < d' /\ at_gap m1 m2 a2 b (- k) d' (push d' p') x v1 v2 t1 /\
     (pc <= p -> p' <= PI - pc) /\ (p <= PI - pc -> pc <= p').
 Proof.
-  intros H1 H2 Ha Hb q Hpc Dc HK Hk H Ht Hd Hp HG HD t1 d'. assert (Q : 0 < q) by (apply q_pos; auto).
-  destruct (crossing m1 m2 a2 b H1 H2 Ha Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG HD) as (D0 & _ & G & _ & p' & Hp'
-    & E & _).
-  fold q d' in D0, G, E. fold t1 in G. rewrite <- E in G. exists p'. repeat (split; [auto; fail|]).
+  intros H1 H2 Ha Hb q Hpc Dc HK Hk H Ht Hd Hp HG HD t1 d'. assert (Q : 0 < q) by positive.
+  destruct (crossing m1 m2 a2 b H1 H2 Ha Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG HD)
+    as (D0 & _ & G & _ & p' & Hp' & E & _). rewrite <- E in G. exists p'. repeat (split; [auto; fail|]).
   assert (HP : 0 <= Pf pc) by (apply P_sign; auto). split; intros I.
   - exact (long_to_short q pc Hpc Dc d p p' HP Hd (conj I (proj2 Hp)) Hp' E).
   - exact (short_to_long q pc Q Hpc Dc d p p' HP (conj (proj1 Hp) I) (Rlt_le _ _ HD) Hp' E).
@@ -37,10 +33,8 @@ Qed.
 (** from a ray only a long slip crosses *)
 Lemma crosses_long q p pc : 0 < pc < PI -> depth pc = 2 / q -> 0 < p < PI -> (2 / q < depth p <-> pc < p).
 Proof.
-  intros Hpc Dc Hp. rewrite <- Dc. split; intros Q.
-  - destruct (Rlt_dec pc p) as [|n]; auto. exfalso. destruct (Req_dec p pc) as [->|]; [lra|].
-    pose proof (depth_incr p pc ltac:(lra) ltac:(lra) ltac:(lra)). lra.
-  - apply depth_incr; lra.
+  intros Hpc Dc Hp. pose proof (depth_incr p pc). pose proof (depth_incr pc p).
+  destruct (Rtotal_order p pc) as [L|[->|L]]; split; lra.
 Qed.
 
 (** pc exists, between pi/2 and pi *)

@@ -33,10 +33,9 @@ Proof.
     pose proof (St a (x t) ltac:(lra)) as Abs.
     destruct (sgn_cases (Rabs a - b / 1)) as [(Q & Z)|[(Q & Z)|(Q & Z)]]; rewrite Z in E4;
       (split; [intros [N|N]; [exfalso; apply N|]|split; intros _ N]); lra.
-  - destruct E as (E1 & E2 & _). specialize (E2 ltac:(left; intros N; lra)). split; lra.
-  - destruct E as (E1 & E2 & _). specialize (E2 ltac:(left; intros N; lra)). split; lra.
+  - split; lra.
+  - split; lra.
   - destruct E as (E1 & E2 & E3 & E4). pose proof (St a (x t) ltac:(lra)) as Abs. split; [lra|].
-    assert (Ev : v1 t = v2 t) by lra.
     destruct (sgn_cases (Rabs a - b / 1)) as [(Q & ->)|[(Q & ->)|(Q & ->)]];
       [rewrite E3 by lra|rewrite E2 by (right; lra)|rewrite E4 by lra]; lra.
 Qed.
@@ -48,8 +47,7 @@ Proof.
   pose proof (proj1 (forced_switching_iff 1 1 0 200 b ltac:(lra) ltac:(lra) Hb _ x v1 v2) Sw) as (_ & Le).
   destruct Sw as (_ & _ & _ & Sw). generalize (almost_and _ _ Sw Le). apply almost_impl. intros t _ (S & L).
   apply reduction in S. destruct S as (a & a' & Dx & D1 & D2 & E1 & E2 & _). exists a, a'.
-  repeat (split; [assumption|]). apply E2. destruct (Req_dec (v1 t) (v2 t)) as [E|]; [right|auto].
-  specialize (L E). unfold ModeAtContact.load in L.
+  repeat (split; [assumption|]). apply E2. unfold ModeAtContact.load in L.
   replace (1 * (0 - 200 * x t - 0 * v1 t) / (1 + 1)) with (-100 * x t) in L by field.
   rewrite Rabs_mult, (Rabs_left (-100)) in L by lra. lra.
 Qed.
@@ -59,16 +57,13 @@ Definition kept (v1 v2 : R -> R) := forall r t, 0 <= r <= t -> v1 r = v2 r -> v1
 
 Lemma ac_mult f g : ac f -> ac g -> ac (fun t => f t * g t).
 Proof.
-  intros F G T HT e He.
-  destruct (cont_bounded f T (cont_ac f F) HT) as (A & HA).
-  destruct (cont_bounded g T (cont_ac g G) HT) as (B & HB).
-  pose proof (HA 0 ltac:(lra)) as A0. pose proof (HB 0 ltac:(lra)) as B0.
-  pose proof (Rabs_pos (f 0)). pose proof (Rabs_pos (g 0)). set (k := A + B + 1).
-  assert (Hk : 0 < e / k) by (apply Rdiv_lt_0_compat; unfold k; lra).
-  destruct (F T HT _ Hk) as (d1 & H1 & K1). destruct (G T HT _ Hk) as (d2 & H2 & K2). smaller d1 d2. intros l C L.
-  specialize (K1 l C ltac:(lra)). specialize (K2 l C ltac:(lra)).
-  assert (M : forall l lo, 0 <= lo -> chain l lo T ->
-    moves (fun t => f t * g t) l <= B * moves f l + A * moves g l /\ 0 <= moves f l /\ 0 <= moves g l).
+  intros F G T HT e He. destruct (cont_bounded f T (cont_ac f F) HT) as (A & HA).
+  destruct (cont_bounded g T (cont_ac g G) HT) as (B & HB). pose proof (HA 0 ltac:(lra)) as A0.
+  pose proof (HB 0 ltac:(lra)) as B0. pose proof (Rabs_pos (f 0)). pose proof (Rabs_pos (g 0)). set (k := A + B + 1).
+  assert (Hk : 0 < e / k) by positive. destruct (F T HT _ Hk) as (d1 & H1 & K1).
+  destruct (G T HT _ Hk) as (d2 & H2 & K2). smaller d1 d2. intros l C L. specialize (K1 l C ltac:(lra)).
+  specialize (K2 l C ltac:(lra)). assert (M : forall l lo, 0 <= lo -> chain l lo T -> moves (fun t => f t * g t) l <= B
+    * moves f l + A * moves g l /\ 0 <= moves f l /\ 0 <= moves g l).
   { clear l C L K1 K2. induction l as [|(p, q) l IH]; simpl; intros lo Hlo C; [lra|]. destruct C as (Hp & C).
     pose proof (chain_le _ _ _ C). destruct (IH q ltac:(lra) C) as (I1 & I2 & I3).
     pose proof (Rabs_pos (f q - f p)). pose proof (Rabs_pos (g q - g p)).
@@ -76,8 +71,8 @@ Proof.
     replace (f q * g q - f p * g p) with (g q * (f q - f p) + f p * (g q - g p)) by ring.
     eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. pose proof (HB q ltac:(lra)). pose proof (HA p ltac:(lra)).
     apply Rplus_le_compat; apply Rmult_le_compat_r; auto. }
-  destruct (M l 0 ltac:(lra) C) as (M1 & M2 & M3).
-  assert (e = k * (e / k)) by (field; unfold k; lra). assert (k = A + B + 1) by reflexivity. nra.
+  destruct (M l 0 ltac:(lra) C) as (M1 & M2 & M3). assert (e = k * (e / k)) by (field; unfold k; lra).
+  assert (k = A + B + 1) by auto. nra.
 Qed.
 
 (** Coulomb's law until a time: one motion *)
@@ -97,17 +92,17 @@ Proof.
     intros r Hr Nr. destruct (Q r ltac:(lra) Nr) as (Ne & I). destruct I as ((g & Hg & Gp & Gn & Dx & D1 & D2) &
       h & Hh & Hp & Hn & Ex & E1 & E2); [lra|].
     assert (DD : is_derive (fun t => -1 * D t) r (2 * b * ((g - h) * ((v1 r - v2 r) - (w1 r - w2 r))))).
-    { unfold D. auto_derive; [repeat split; eexists; eauto|].
-      assert (Un : forall (f : R -> R) (l : R), is_derive f r l -> Derive (fun q => f q) r = l) by
-        (intros f l Df; apply is_derive_unique, Df).
-      rewrite (Un _ _ Dx), (Un _ _ D1), (Un _ _ D2), (Un _ _ Ex), (Un _ _ E1), (Un _ _ E2). unfold no_force. field. }
+    { unfold D. auto_derive; [repeat split; eexists; eauto|]. assert (Un : forall (f : R -> R) (l : R), is_derive f r l
+        -> Derive (fun q => f q) r = l) by (intros f l Df; apply is_derive_unique, Df).
+      rewrite (Un _ _ Dx), (Un _ _ D1), (Un _ _ D2), (Un _ _ Ex), (Un _ _ E1), (Un _ _ E2). field. }
     split; [apply Derive_correct; eexists; exact DD|]. eapply Rle_trans; [|right; symmetry; exact (is_derive_unique _ _ _ DD)].
     apply Rmult_le_pos; [lra|].
     destruct (Rtotal_order (v1 r) (v2 r)) as [O|[O|O]]; [rewrite (Gn O) in *| |rewrite (Gp O) in *];
       (destruct (Rtotal_order (w1 r) (w2 r)) as [O'|[O'|O']]; [rewrite (Hn O') in *| |rewrite (Hp O') in *]); nra. }
-  assert (D0 : D 0 = 0) by (unfold D; rewrite X0, V0, W0; ring). unfold D in Le at 2. rewrite D0 in Le.
-  pose proof (Rle_0_sqr (x t - y t)) as P1. pose proof (Rle_0_sqr (v1 t - w1 t)) as P2. pose proof (Rle_0_sqr (v2 t - w2 t)) as P3.
-  unfold Rsqr in *. repeat split; apply Rminus_diag_uniq, Rsqr_0_uniq; unfold Rsqr; lra.
+  assert (D0 : D 0 = 0) by (unfold D; rewrite X0, V0, W0; ring). unfold D in Le at 2.
+  pose proof (Rle_0_sqr (x t - y t)) as P1. pose proof (Rle_0_sqr (v1 t - w1 t)) as P2.
+  pose proof (Rle_0_sqr (v2 t - w2 t)) as P3. unfold Rsqr in *.
+  repeat split; apply Rminus_diag_uniq, Rsqr_0_uniq; unfold Rsqr; lra.
 Qed.
 
 (** [case-study-agrees-until] Case study: a solution of (11), (12) that keeps every stick agrees with the Filippov
@@ -195,7 +190,7 @@ Proof.
     (forall t, 0 <= t -> rderiv y t (v2 t)) -> x 0 = 4 / 1000 -> v1 0 = 0 -> v2 0 = 0 ->
     forall t, 0 <= t -> v1 t = v2 t /\ x t - y t = 4 / 1000 - y 0).
   { clear. intros x v1 v2 s y H Cy Dy X0 V0 W0 t Ht. pose proof (five_millimetres x v1 v2 s H V0 W0 ltac:(lra)) as St.
-    split; [apply St; auto|]. rewrite <- X0. cut (x t - y t - (x 0 - y 0) = 0 * (t - 0)); [lra|].
+    split; [apply St; auto|]. cut (x t - y t - (x 0 - y 0) = 0 * (t - 0)); [lra|].
     apply (rderiv_line (fun t => x t - y t)); [apply cont_minus; [apply (s_cx _ _ _ _ _ _ _ _ _ H)|auto]|lra|].
     intros r Hr. apply rderiv_eq with (v1 r - v2 r); [rewrite (St r) by lra; ring|].
     apply rderiv_minus; [apply (s_x _ _ _ _ _ _ _ _ _ H)|apply Dy]; lra. }

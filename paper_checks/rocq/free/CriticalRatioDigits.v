@@ -13,8 +13,7 @@ Proof.
   intros Hp U. assert (KL : 0 < K lo) by (unfold K, lo; interval with (i_prec 100)).
   assert (KH : K hi < 0) by (unfold K, hi; interval with (i_prec 100)). assert (3 < PI) by interval with (i_prec 60).
   destruct (cont_IVT K lo hi cont_K) as (q & Hq & Z); [unfold lo, hi; lra|nra|].
-  assert (Hq' : lo < q < hi). { destruct (Req_dec q lo); [subst q; lra|].
-    destruct (Req_dec q hi); [subst q; lra|]. lra. }
-  rewrite <- (U q); [|unfold lo, hi in *; lra|auto]. split; auto. unfold lo, hi in Hq.
-  clear - Hq. interval with (i_prec 100).
+  assert (Hq' : lo < q < hi). { destruct (Req_dec q lo); [subst q; lra|]. destruct (Req_dec q hi); [subst q; lra|].
+    lra. }
+  rewrite <- (U q); [|unfold lo, hi in *; lra|auto]. split; auto. interval with (i_prec 100).
 Qed.

@@ -17,8 +17,7 @@ Proof.
     - apply cont_plus; [apply cont_scal; auto|]. exact (moves_cE m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H).
     - intros u Hu. split.
       + apply rderiv_plus; [apply rderiv_scal, Dz; lra|]. apply (energy_rate m1 m2 a1 a2 b Hm1 Hm2 _ _ _ _ H); lra.
-      + pose proof (pow2_ge_0 (v1 u)). assert (0 <= a1 * v1 u ^ 2) by positive.
-        unfold Rabs; destruct Rcase_abs; destruct Hk; subst k; nra. }
+      + unfold Rabs; destruct Rcase_abs; destruct Hk; subst k; nra. }
   pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)). unfold Rabs; destruct Rcase_abs; lra.
 Qed.
 

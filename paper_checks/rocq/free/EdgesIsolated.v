@@ -25,7 +25,7 @@ Proof.
   assert (CA : cont A) by (apply cont_F; auto). assert (CJ : cont J) by (apply cont_F; auto).
   assert (St' : forall r, p <= r < q -> v1 r = v2 r).
   { intros r Hr. destruct (Req_dec r p) as [->|]; [|apply St; lra]. apply cond_eq. intros e He.
-    destruct (Cw p Hp e He) as (d & Hd & K). assert (0 < Rmin d (q - p)) by (apply Rmin_glb_lt; lra).
+    destruct (Cw p Hp e He) as (d & Hd & K). assert (0 < Rmin d (q - p)) by positive.
     pose proof (Rmin_l d (q - p)). pose proof (Rmin_r d (q - p)).
     specialize (K (p + Rmin d (q - p) / 2) ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)).
     rewrite St, (Rminus_diag_eq _ _ eq_refl), Rminus_0_l, Rabs_Ropp in K by lra. exact K. }
@@ -47,7 +47,7 @@ Proof.
   { intros j f f' o Cf Cf' Df Ho S. destruct (cont_scal j _ Cf' o Ho (j * f' o / 2)) as (d & Hd & K); [lra|]. exists d.
     split; [auto|]. intros r r' Hr Hr' N N'. apply Rabs_def2 in N. apply Rabs_def2 in N'.
     pose proof (between (fun y => j * f y) (fun y => j * f' y) (j * f' o / 2) (j * f' o * 2) r r' (cont_scal _ _ Cf)
-      ltac:(lra)) as B. cbv beta in B. assert (0 < j * f' o / 2 * (r' - r)) by (apply Rmult_lt_0_compat; lra).
+      ltac:(lra)) as B. assert (0 < j * f' o / 2 * (r' - r)) by (apply Rmult_lt_0_compat; lra).
     cut (j * f' o / 2 * (r' - r) <= j * f r' - j * f r); [lra|]. apply B. intros y Hy.
     split; [apply rderiv_scal, Df; lra|]. specialize (K y ltac:(lra) ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in K.
     lra. }
@@ -56,9 +56,8 @@ Proof.
     - destruct (Mono (- k) A J r CA CJ DA) as (d & Hd & K); [lra|lra|].
       destruct (just_before p r d) as (u & Hu & Nu); [lra|auto|]. pose proof (Le u ltac:(lra)).
       specialize (K u r ltac:(lra) ltac:(lra) ltac:(apply Rabs_def1; lra) ltac:(apply Rabs_def1; lra)). lra.
-    - destruct (Mono k A J r CA CJ DA) as (d & Hd & K); [lra|lra|].
-      assert (0 < Rmin d (q - r)) by (apply Rmin_glb_lt; lra). pose proof (Rmin_l d (q - r)).
-      pose proof (Rmin_r d (q - r)). pose proof (Le (r + Rmin d (q - r) / 2) ltac:(lra)).
+    - destruct (Mono k A J r CA CJ DA) as (d & Hd & K); [lra|lra|]. assert (0 < Rmin d (q - r)) by positive.
+      pose proof (Rmin_l d (q - r)). pose proof (Rmin_r d (q - r)). pose proof (Le (r + Rmin d (q - r) / 2) ltac:(lra)).
       specialize (K r (r + Rmin d (q - r) / 2) ltac:(lra) ltac:(lra) ltac:(apply Rabs_def1; lra) ltac:(apply Rabs_def1;
         lra)). lra. }
   cut (exists d, 0 < d /\ forall r, p < r < q -> r <> t -> Rabs (r - t) < d -> k * A r <> b / m2).

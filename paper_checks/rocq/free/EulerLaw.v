@@ -26,7 +26,7 @@ Proof.
     assert (0 < m1 * m2) by positive. apply (Rmult_le_compat_l (a2 * m1)) in S1; [|lra].
     apply (Rmult_le_compat_l (a2 * m2)) in S2; [|lra]. apply (Rmult_le_compat_l (m1 * m2)) in S3; [|lra]. nra. }
   assert (N : forall u v w, 0 <= a2 * u ^ 2 + m1 * v ^ 2 + m2 * w ^ 2).
-  { intros u v w. pose proof (pow2_ge_0 u). pose proof (pow2_ge_0 v). pose proof (pow2_ge_0 w). nra. }
+  { intros u v w. pose proof (pow2_ge_0 u). nra. }
   assert (y ^ 2 <= (C * C') ^ 2).
   { eapply Rle_trans; [exact S|]. rewrite Rpow_mult_distr. apply Rmult_le_compat; auto. }
   apply sq_le_abs; [apply Rmult_le_pos; auto|auto].
@@ -104,18 +104,17 @@ Proof.
     { unfold dx, d1, d2. field. }
     rewrite F1, F2. unfold rest. rewrite F3 at 1. unfold w. ring. }
   assert (CS : a2 * V1 * Dx k + m1 * A1 * D1 k + m2 * A2 * D2 k <= C * (C + C') * k).
-  { assert (0 <= C ^ 2) by apply pow2_ge_0.
-    assert (Q : a2 * V1 * - (x (t + k) - x t) + m1 * A1 * - (v1 (t + k) - v1 t) + m2 * A2 * - (v2 (t + k) - v2 t) <= C * (C' * k)).
-    { apply energy_schwarz; auto; [apply Rmult_le_pos; lra|]. pose proof (Lip t (t + k) ltac:(lra)) as L.
-      replace (t + k - t) with k in L by ring. lra. }
+  { assert (Q : a2 * V1 * - (x (t + k) - x t) + m1 * A1 * - (v1 (t + k) - v1 t) + m2 * A2 * - (v2 (t + k) - v2 t) <= C *
+      (C' * k)).
+    { apply energy_schwarz; auto; [apply Rmult_le_pos; lra|]. pose proof (Lip t (t + k) ltac:(lra)) as L. lra. }
     assert (S : k * (a2 * V1 ^ 2 + m1 * A1 ^ 2 + m2 * A2 ^ 2) <= k * C ^ 2) by (apply Rmult_le_compat_l; lra).
     unfold Dx, D1, D2. lra. }
   apply (Rmult_le_compat_l t) in CS; auto.
   assert (Mo : b * ((g * k - ds k) * (V1 - V2 - w)) >= - (e / 4) * k).
   { apply Rle_ge. replace (- (e / 4) * k) with (b * (- (e / (4 * b)) * k)) by (field; lra). apply Rmult_le_compat_l; [lra|].
     replace (g * k - ds k) with (g * (t + k) - g * t - (s (t + k) - s t)) by (unfold ds; ring). exact K1. }
-  pose proof (pow2_ge_0 (V1 - v1 t)) as Sq. apply (Rmult_le_compat_l a1) in Sq; auto. apply (Rmult_le_compat_r k) in Sq; [|lra].
-  rewrite ID. nra.
+  pose proof (pow2_ge_0 (V1 - v1 t)) as Sq. apply (Rmult_le_compat_l a1) in Sq; auto.
+  apply (Rmult_le_compat_r k) in Sq; [|lra]. nra.
 Qed.
 
 (** so over a step by h^2 C (C + C') / 2 *)
@@ -150,7 +149,7 @@ Theorem euler_law X V1 V2 g x v1 v2 s C C' : euler X V1 V2 g -> solution m1 m2 a
   2 * energy m1 m2 a2 (X O - x 0) (V1 O - v1 0) (V2 O - v2 0) + h * (INR n * h) * (C * (C + C')).
 Proof.
   intros [Ex E1 E2 Eg] H HC HC' Lip. induction n as [|n IH]; intros Sp.
-  { simpl. rewrite !Rmult_0_l. lra. }
+  { rewrite !Rmult_0_l. lra. }
   specialize (IH ltac:(intros k Hk; apply Sp; lia)). set (t := INR n * h) in *.
   assert (Ht : 0 <= t) by (apply Rmult_le_pos; [apply pos_INR|lra]).
   destruct (Eg n) as (G0 & G1 & G2).

@@ -17,7 +17,7 @@ Proof.
   apply (from_zero (fun u => u ^ 4 / 4 - 2 + 2 * cos u - u ^ 2 + 2 * (u * sin u)) (fun u => u ^ 3 - 2 * u * (1 - cos u)) y); [| | |lra].
   - intros u; auto_derive; auto. field.
   - intros u Hu. pose proof (C u ltac:(lra)) as Cu. apply (Rmult_le_compat_l (2 * u)) in Cu; [|lra]. nra.
-  - rewrite cos_0, sin_0. field.
+  - rewrite cos_0. field.
 Qed.
 
 Section EulerSlip.
@@ -60,22 +60,20 @@ Proof.
     replace (V1 - v1 0) with (slip_v1 0 - v1 0) by (unfold slip_v1; rewrite Rmult_0_r, sin_0, cos_0; field; lra).
     replace (V2 - v2 0) with (slip_v2 0 - v2 0) by (unfold slip_v2; ring). lra. }
   (* what the step is off its slip *)
-  set (p := om * h). assert (Hp : 0 <= p) by (apply Rmult_le_pos; lra). set (M := h ^ 2 * om * B / 2).
-  assert (HM : 0 <= M). { unfold M. pose proof (pow2_ge_0 h). assert (0 <= h ^ 2 * om * B) by (repeat apply Rmult_le_pos; lra). lra. }
+  set (p := om * h). assert (Hp : 0 <= p) by positive. set (M := h ^ 2 * om * B / 2). assert (HM : 0 <= M) by positive.
   set (ex := X + h * V1 - slip_x h). set (ev := V1 + h * A1 - slip_v1 h).
   assert (D2 : a2 * ex ^ 2 + m1 * ev ^ 2 + m2 * 0 ^ 2 <= M ^ 2).
   { replace (a2 * ex ^ 2 + m1 * ev ^ 2 + m2 * 0 ^ 2) with
       ((a2 * V1 ^ 2 + m1 * A1 ^ 2) * ((1 - cos p) ^ 2 + (p - sin p) ^ 2) / om ^ 2).
     2: { unfold ex, ev, slip_x, slip_v1. fold p. replace h with (p / om) by (unfold p; field; lra). rewrite Tuned. field. lra. }
     replace (M ^ 2) with (B ^ 2 * (p ^ 2 / 2) ^ 2 / om ^ 2) by (unfold M, p; field; lra).
-    unfold Rdiv. apply Rmult_le_compat_r; [apply Rlt_le; positive|]. apply Rmult_le_compat; [| |exact HB2|apply arc_tangent; auto].
-    - pose proof (pow2_ge_0 V1). pose proof (pow2_ge_0 A1). nra.
-    - pose proof (pow2_ge_0 (1 - cos p)). pose proof (pow2_ge_0 (p - sin p)). lra. }
+    apply Rmult_le_compat_r; [apply Rlt_le; positive|]. apply Rmult_le_compat; [| |exact HB2|apply arc_tangent; auto].
+    - nra.
+    - positive. }
   assert (CS : a2 * (slip_x h - x h) * ex + m1 * (slip_v1 h - v1 h) * ev + m2 * (slip_v2 h - v2 h) * 0 <= N * M).
   { apply (energy_schwarz m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ _ _ N M HN HM); auto. unfold energy in D1. lra. }
   replace (X + h * V1 - x h) with (slip_x h - x h + ex) by (unfold ex; ring).
   replace (V1 + h * A1 - v1 h) with (slip_v1 h - v1 h + ev) by (unfold ev; ring).
-  replace (V2 + h * A2 - v2 h) with (slip_v2 h - v2 h) by (unfold slip_v2; ring).
-  unfold energy in *. fold M. nra.
+  replace (V2 + h * A2 - v2 h) with (slip_v2 h - v2 h) by (unfold slip_v2; ring). unfold energy in *. nra.
 Qed.
 End EulerSlip.

@@ -3,6 +3,10 @@
 From Coq Require Import Nsatz.
 From InertialPair Require Import Dini.
 
+(** pi, from seven terms of Leibniz's series *)
+Lemma pi_below : PI <= 10 / 3.
+Proof. pose proof (proj2 (PI_ineq 3)) as Q. unfold tg_alt, PI_tg in Q. simpl in Q. lra. Qed.
+
 (** a smooth function, 0 at 0, with derivative >= 0 on [0, p) *)
 Lemma from_zero (f f' : R -> R) p : (forall u, is_derive f u (f' u)) -> (forall u, 0 <= u < p -> 0 <= f' u) ->
   f 0 = 0 ->
@@ -21,6 +25,11 @@ Lemma pow2e (z : R) : z ^ 2 = z * z. Proof. ring. Qed.
 Lemma pow3e (z : R) : z ^ 3 = z * z * z. Proof. ring. Qed.
 Ltac circle t := let SC := fresh "SC" in assert (SC : sin t * sin t + cos t * cos t = 1) by exact (sin2_cos2 t);
   set (s := sin t) in *; set (c := cos t) in *; clearbody s c; rewrite ?pow2e, ?pow3e.
+(** an identity in sin p > 0 and cos p, by sin^2 + cos^2 = 1 *)
+Ltac trig p := let S := fresh in let SC := fresh in
+  assert (S : 0 < sin p) by (apply sin_gt_0; lra); pose proof (sin2_cos2 p : sin p * sin p + cos p * cos p = 1) as SC;
+  clear - S SC; set (s := sin p) in *; set (c := cos p) in *; clearbody s c;
+  first [field_simplify_eq; [simpl; nsatz|lra]|simpl; nsatz].
 Ltac der := intros; auto_derive; [auto|ring].
 Ltac dern := let t := fresh "t" in intros t; auto_derive; [auto|]; rewrite ?cos_2a_cos, ?sin_2a; circle t; nsatz.
 Ltac zero := cbv beta; rewrite ?sin_0, ?cos_0; ring.
@@ -32,10 +41,21 @@ Proof.
   intros t _. pose proof (COS_bound t); lra.
 Qed.
 
+(** sin u >= u - u^3/6 *)
+Lemma sin_above u : 0 <= u <= PI -> u - u ^ 3 / 6 <= sin u.
+Proof.
+  intros Hu. cut (0 <= sin u - (u - u ^ 3 / 6)); [lra|].
+  apply (from_zero (fun u => sin u - (u - u ^ 3 / 6)) (fun u => cos u - (1 - u ^ 2 / 2)) PI); auto.
+  - intros t; auto_derive; auto. field.
+  - intros t Ht. pose proof (sin_below (t / 2) ltac:(lra)). replace t with (2 * (t / 2)) at 1 by field.
+    rewrite cos_2a_sin. pose proof (sin_pos (t / 2) ltac:(lra)). nra.
+  - rewrite sin_0. field.
+Qed.
+
 (** g = sin - u cos *)
 Lemma g_nonneg u : 0 <= u <= PI -> 0 <= sin u - u * cos u.
 Proof.
-  intros. apply (from_zero (fun u => sin u - u * cos u) (fun u => u * sin u) PI); auto; [der| |zero].
+  apply (from_zero (fun u => sin u - u * cos u) (fun u => u * sin u) PI); auto; [der| |zero].
   intros t Ht. apply Rmult_le_pos; [lra|apply sin_pos; lra].
 Qed.
 Lemma g_pos u : 0 < u < PI -> 0 < sin u - u * cos u.
@@ -48,10 +68,7 @@ Qed.
 Lemma N_nonneg u : 0 <= u <= 2 * PI -> 0 <= 2 - 2 * cos u - u * sin u.
 Proof.
   intros Hu. replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin, sin_2a.
-  pose proof (g_nonneg (u / 2) ltac:(lra)). pose proof (sin_pos (u / 2) ltac:(lra)).
-  replace (2 - 2 * (1 - 2 * sin (u / 2) * sin (u / 2)) - 2 * (u / 2) * (2 * sin (u / 2) * cos (u / 2)))
-    with (4 * (sin (u / 2) * (sin (u / 2) - u / 2 * cos (u / 2)))) by ring.
-  apply Rmult_le_pos; [lra|]. positive.
+  pose proof (g_nonneg (u / 2) ltac:(lra)). pose proof (sin_pos (u / 2) ltac:(lra)). nra.
 Qed.
 
 (** *** h increases on (0, 2 pi) *)
@@ -61,19 +78,23 @@ Proof.
   intros Hu. replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin.
     pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)). nra.
 Qed.
+(** the numerator of h' is positive inside *)
+Lemma N_pos u : 0 < u < 2 * PI -> 0 < 2 - 2 * cos u - u * sin u.
+Proof.
+  intros Hu. pose proof (g_pos (u / 2) ltac:(lra)). pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)).
+  replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin, sin_2a. nra.
+Qed.
+Lemma h_rate u : 0 < u < 2 * PI -> is_derive h u ((2 - 2 * cos u - u * sin u) / (1 - cos u) ^ 2).
+Proof.
+  intros Hu. pose proof (one_cos u Hu). unfold h. auto_derive; [lra|].
+  replace (2 - 2 * cos u - u * sin u) with ((1 - cos u) * (1 - cos u) - (u - sin u) * sin u) by (circle u; nsatz).
+  field. lra.
+Qed.
 (** [h-increases] $h$ increases on $(0,2\pi)$: no two slip angles have the same exit speed. *)
 Theorem h_increases u v : 0 < u -> u < v -> v < 2 * PI -> h u < h v.
 Proof.
-  intros. apply (incr_function h 0 (2 * PI) (fun t => (2 - 2 * cos t - t * sin t) / (1 - cos t) ^ 2)); try (simpl; lra).
-  - intros t T0 T1; simpl in T0, T1. pose proof (one_cos t (conj T0 T1)). unfold h. auto_derive; [lra|].
-    replace (2 - 2 * cos t - t * sin t) with ((1 - cos t) * (1 - cos t) - (t - sin t) * sin t) by (circle t; nsatz).
-    field. lra.
-  - intros t T0 T1; simpl in T0, T1. pose proof (one_cos t (conj T0 T1)). apply Rdiv_lt_0_compat; [|positive].
-    replace t with (2 * (t / 2)) by field. rewrite cos_2a_sin, sin_2a.
-    pose proof (g_pos (t / 2) ltac:(lra)). pose proof (sin_gt_0 (t / 2) ltac:(lra) ltac:(lra)).
-    replace (2 - 2 * (1 - 2 * sin (t / 2) * sin (t / 2)) - 2 * (t / 2) * (2 * sin (t / 2) * cos (t / 2)))
-      with (4 * (sin (t / 2) * (sin (t / 2) - t / 2 * cos (t / 2)))) by ring.
-    repeat apply Rmult_lt_0_compat; lra.
+  apply (incr_function h 0 (2 * PI) (fun t => (2 - 2 * cos t - t * sin t) / (1 - cos t) ^ 2)); try (simpl; lra); intros
+    t T0 T1; simpl in T0, T1; [apply h_rate; lra|]. apply Rdiv_lt_0_compat; [apply N_pos|apply pow_lt, one_cos]; lra.
 Qed.
 
 (** *** inequalities in the half angle *)
@@ -120,7 +141,6 @@ Proof.
   apply (from_zero (fun p => 3 * (p - sin p * cos p) ^ 2 - 4 * (sin p - p * cos p) * sin p ^ 3)
     (fun p => 4 * sin p ^ 2 * (2 * p + p * 2 * cos (2 * p) + 2 * p - 3 * sin (2 * p))) PI); auto.
   - dern.
-  - intros t Ht. apply Rmult_le_pos. { pose proof (pow2_ge_0 (sin t)); lra. }
-    pose proof (cusa (2 * t) ltac:(lra)). lra.
+  - intros t Ht. apply Rmult_le_pos. { positive. } pose proof (cusa (2 * t) ltac:(lra)). lra.
   - zero.
 Qed.

@@ -9,10 +9,7 @@ Definition h1 u := (2 - 2 * cos u - u * sin u) / (1 - cos u) ^ 2.
 (** and the rate of that *)
 Definition h2 u := (u * (2 + cos u) - 3 * sin u) / (1 - cos u) ^ 2.
 Lemma h_derive u : 0 < u < 2 * PI -> is_derive h u (h1 u).
-Proof.
-  intros Hu. pose proof (one_cos u Hu). unfold h, h1. auto_derive; [lra|].
-  replace (2 - 2 * cos u - u * sin u) with ((1 - cos u) * (1 - cos u) - (u - sin u) * sin u) by (circle u; nsatz). field. lra.
-Qed.
+Proof. exact (h_rate u). Qed.
 Lemma h1_derive u : 0 < u < 2 * PI -> is_derive h1 u (h2 u).
 Proof.
   intros Hu. pose proof (one_cos u Hu).
@@ -21,36 +18,26 @@ Proof.
       with ((1 - cos u) * (u * (2 + cos u) - 3 * sin u)) by (circle u; nsatz). unfold h2. field. lra. }
   rewrite E. unfold h1. auto_derive; [apply Rgt_not_eq; nra|]. field. lra.
 Qed.
-Lemma h1_top u : 0 < u < 2 * PI -> 0 < 2 - 2 * cos u - u * sin u.
-Proof.
-  intros Hu. pose proof (g_pos (u / 2) ltac:(lra)). pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)).
-  replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin, sin_2a.
-  replace (2 - 2 * (1 - 2 * sin (u / 2) * sin (u / 2)) - 2 * (u / 2) * (2 * sin (u / 2) * cos (u / 2)))
-    with (4 * (sin (u / 2) * (sin (u / 2) - u / 2 * cos (u / 2)))) by ring. repeat apply Rmult_lt_0_compat; lra.
-Qed.
 Lemma h1_pos u : 0 < u < 2 * PI -> 0 < h1 u.
-Proof. intros Hu. apply Rdiv_lt_0_compat; [apply h1_top; auto|apply pow_lt, one_cos; auto]. Qed.
+Proof. intros Hu. apply Rdiv_lt_0_compat; [apply N_pos; auto|apply pow_lt, one_cos; auto]. Qed.
 Lemma h2_pos u : 0 < u < 2 * PI -> 0 < h2 u.
 Proof.
   intros Hu. apply Rdiv_lt_0_compat; [|apply pow_lt, one_cos; auto].
   apply Rle_lt_trans with (u / 2 * (2 + cos (u / 2)) - 3 * sin (u / 2)); [pose proof (cusa (u / 2) ltac:(lra)); lra|].
   apply (incr_function (fun u => u * (2 + cos u) - 3 * sin u) 0 (2 * PI) (fun u => 2 - 2 * cos u - u * sin u)); try (simpl; lra).
   - intros t _ _. auto_derive; auto. ring.
-  - intros t T0 T1. simpl in T0, T1. apply h1_top. lra.
+  - intros t T0 T1. simpl in T0, T1. apply N_pos. lra.
 Qed.
 Lemma h_small u : 0 < u <= PI -> h u <= u.
-Proof.
-  intros Hu. pose proof (one_cos u ltac:(lra)). unfold h. undivide (1 - cos u). pose proof (g_nonneg u ltac:(lra)). lra.
-Qed.
+Proof. intros Hu. pose proof (one_cos u ltac:(lra)). undivide (1 - cos u). pose proof (g_nonneg u ltac:(lra)). lra. Qed.
 
 (** *** c *)
 Definition c u := depth (u / 2).
 Lemma c_derive u : 0 < u < 2 * PI -> is_derive c u (h u).
 Proof.
-  intros Hu. pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)). replace (h u) with (hh (u / 2)) by (rewrite hh_h by lra; f_equal; field).
-  unfold c, depth, hh. auto_derive; [change (u * / 2) with (u / 2); lra|]. change (u * / 2) with (u / 2). pose proof (sin2_cos2 (u / 2)) as SC. unfold Rsqr in SC.
-  set (n := sin (u / 2)) in *. set (k := cos (u / 2)) in *.
-  replace (u / 2 - n * k) with (u / 2 * (n * n + k * k) - n * k) by (rewrite SC; ring). field. lra.
+  intros Hu. pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)).
+  replace (h u) with (hh (u / 2)) by (rewrite hh_h by lra; f_equal; field). unfold c, depth, hh.
+  auto_derive; change (u * / 2) with (u / 2); [lra|trig (u / 2)].
 Qed.
 Lemma h_pos u : 0 < u < 2 * PI -> 0 < h u.
 Proof. intros Hu. replace u with (2 * (u / 2)) by field. rewrite <- hh_h by lra. apply hh_pos. lra. Qed.
@@ -65,7 +52,8 @@ Proof.
 Qed.
 Lemma c_increases u v : 0 < u -> u < v -> v < 2 * PI -> c u < c v.
 Proof.
-  intros. apply (incr_function c 0 (2 * PI) h); try (simpl; lra); intros t T0 T1; simpl in T0, T1; [apply c_derive; lra|apply h_pos; lra].
+  apply (incr_function c 0 (2 * PI) h); try (simpl; lra); intros t T0 T1; simpl in T0, T1;
+    [apply c_derive; lra|apply h_pos; lra].
 Qed.
 
 (** [excursion-rise] $h$ increases on $(0,2\pi)$, takes every positive value once and has $h''>0$; $h-d\cot(\theta/2)$
@@ -76,8 +64,8 @@ Theorem rise : (forall u, 0 < u < 2 * PI -> is_derive h u (h1 u) /\ 0 < h1 u /\ 
 Proof.
   split; [intros u Hu; auto using h_derive, h1_pos, h1_derive, h2_pos|]. split; [|split; [exact h_pos|exact push_incr]].
   intros y Hy. apply one_angle; [apply h_increases|]. pose proof PI_RGT_0. pose proof PI_4. set (u0 := Rmin (y / 2) 1).
-  pose proof (Rmin_l (y / 2) 1). pose proof (Rmin_r (y / 2) 1). fold u0 in H0, H1, H2 |- *. assert (U0 : 0 < u0) by (apply Rmin_glb_lt; lra).
-  assert (PI_gt : 1 <= PI) by (pose proof PI2_1; lra).
+  pose proof (Rmin_l (y / 2) 1). pose proof (Rmin_r (y / 2) 1). fold u0 in H0, H1, H2 |- *.
+  assert (U0 : 0 < u0) by positive. assert (PI_gt : 1 <= PI) by (pose proof PI2_1; lra).
   destruct (push_ex 0 y (u0 / 2)) as (p & Hp & E); [lra| |].
   - rewrite push_0, hh_h by lra. replace (2 * (u0 / 2)) with u0 by field. pose proof (h_small u0 ltac:(lra)). lra.
   - exists (2 * p). rewrite push_0, hh_h in E by lra. split; [lra|auto].
@@ -92,7 +80,7 @@ Theorem deepens : (forall u, 0 < u < 2 * PI -> is_derive c u (h u) /\ 0 < c u) /
 Proof.
   pose proof PI_RGT_0. split; [intros u Hu; split; [apply c_derive; auto|apply depth_pos; lra]|]. split.
   - intros y Hy. apply one_angle; [apply c_increases|]. set (p0 := Rmin (y / 8) (1 / 2)).
-    pose proof (Rmin_l (y / 8) (1 / 2)). pose proof (Rmin_r (y / 8) (1 / 2)). fold p0 in H0, H1. assert (P0 : 0 < p0) by (apply Rmin_glb_lt; lra).
+    assert (P0 : 0 < p0 <= 1 / 2 /\ p0 <= y / 8) by (unfold p0, Rmin; destruct Rle_dec; lra).
     pose proof PI2_1. set (F := fun p => 2 * (sin p - p * cos p) - y * sin p).
     assert (E : forall p, 0 < p < PI -> 0 < sin p /\ F p = sin p * (depth p - y)).
     { intros p Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). split; auto. unfold F, depth. field. lra. }
@@ -124,7 +112,8 @@ Proof.
     assert (Right : c w - c v <= k * (h w ^ 2 - h v ^ 2)).
     { destruct (Step v w ltac:(lra) Hvw Hw) as (m & Hm & E). pose proof (h_pos m ltac:(lra)).
       assert (h1 v <= h1 m) by (destruct (Req_dec m v) as [->|]; [lra|apply Rlt_le, Mono; lra]).
-      assert (1 <= h1 m / h1 v) by (undivide (h1 v); lra). assert (0 <= h m * (h1 m / h1 v - 1) * (w - v)) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra). lra. }
+      assert (1 <= h1 m / h1 v) by (undivide (h1 v); lra). assert (0 <= h m * (h1 m / h1 v - 1) * (w - v)) by positive.
+      lra. }
     pose proof (h_increases u v Hu Huv ltac:(lra)). pose proof (h_increases v w ltac:(lra) Hvw Hw). pose proof (h_pos u ltac:(lra)).
     assert (P1 : 0 <= h v ^ 2 - h u ^ 2) by nra. assert (P2 : 0 <= h w ^ 2 - h v ^ 2) by nra.
     apply Rle_trans with (k * (h w ^ 2 - h v ^ 2) * (h v ^ 2 - h u ^ 2)); [apply Rmult_le_compat_r; auto|].
@@ -149,12 +138,12 @@ Lemma excursion k x v1 v2 s t p : k = 1 \/ k = -1 -> sol x v1 v2 s -> 0 <= t -> 
 Proof.
   intros Hk H Ht Hp On e. pose proof On as (X0 & V0 & W0). apply ray_gap in On. rewrite <- (push_0 p) in On.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t 0 p Hk H Ht (Rle_refl 0) Hp On) as (_ & Sg & A & B & C & En).
-  fold o1 in Sg, A, B, C, En. fold e in Sg, A, B, C, En. rewrite Rplus_0_r in A, B, C. rewrite level_0 in En by auto.
+  fold o1 in Sg, A, B, C, En. fold e in Sg, A, B, C, En. rewrite level_0 in En by auto.
   fold M in A, En. fold q L in A. fold q Ecr in En. fold L in X0.
-  pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 (hh p)) as R. cbv zeta in R. fold M q L Ecr in R. rewrite <- X0, <- V0 in R.
+  pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 (hh p)) as R. fold M q L Ecr in R. rewrite <- X0, <- V0 in R.
   assert (R' : energy m1 m2 a2 (x t) (v1 t) (v2 t) = Ecr * (1 + q * hh p ^ 2)).
   { rewrite <- R. assert (v2 t = v1 t) as -> by (destruct Hk; subst k; lra). unfold energy. destruct Hk; subst k; field. }
-  split; [exact Sg|]. split; [destruct Hk; subst k; lra|]. split; [rewrite Rmult_minus_distr_l, X0, A; ring|]. rewrite R', En. ring.
+  split; [exact Sg|]. split; [destruct Hk; subst k; lra|]. lra.
 Qed.
 
 (** [excursions-grow] Of two excursions from a ray the faster one lasts longer, goes deeper and loses more energy. *)
@@ -172,12 +161,14 @@ Proof.
   pose proof (hh_incr p p' Hp Hpp Hp') as Hh. assert (Dc : depth p < depth p').
   { pose proof (c_increases (2 * p) (2 * p') ltac:(lra) ltac:(lra) ltac:(lra)) as Q. unfold c in Q.
     replace (2 * p / 2) with p in Q by field. replace (2 * p' / 2) with p' in Q by field. exact Q. }
-  pose proof (depth_pos p ltac:(lra)) as Dp. assert (Lp : 0 < L) by (apply L_pos; auto). assert (Qp : 0 < q) by (unfold q, M; positive).
-  assert (Ep : 0 < Ecr) by (unfold Ecr; apply Ecr_pos; auto). repeat (split; [auto; fail|]). rewrite D, D', E, E'. split; [|split; [|split]].
-  - destruct On as (_ & -> & _), On' as (_ & -> & _). unfold Cycle.ray. fold o1. apply Rmult_lt_compat_l; [positive|auto].
+  pose proof (depth_pos p ltac:(lra)) as Dp. assert (Lp : 0 < L) by (apply L_pos; auto).
+  assert (Qp : 0 < q) by positive. assert (Ep : 0 < Ecr) by (unfold Ecr; apply Ecr_pos; auto).
+  repeat (split; [auto; fail|]). rewrite D, D', E, E'. split; [|split; [|split]].
+  - destruct On as (_ & -> & _), On' as (_ & -> & _). apply Rmult_lt_compat_l; [positive|auto].
   - unfold e, e'. assert (2 * p / o1 < 2 * p' / o1) by (apply Rmult_lt_compat_r; [positive|lra]). lra.
   - repeat (apply Rmult_lt_compat_l; auto).
-  - assert (depth p ^ 2 < depth p' ^ 2) by nra. assert (r2 : 0 < m2 / M) by (unfold M; positive). repeat (apply Rmult_lt_compat_l; auto).
+  - assert (depth p ^ 2 < depth p' ^ 2) by nra. assert (r2 : 0 < m2 / M) by positive.
+    repeat (apply Rmult_lt_compat_l; auto).
 Qed.
 
 (** [one-contact] Every slip from $S$ with a gap $d\geqslant 0$ and a push $\nu$ ($\nu>0$ if $d=0$) ends at the one
@@ -186,7 +177,7 @@ Theorem one_contact k d u x v1 v2 s t : k = 1 \/ k = -1 -> sol x v1 v2 s -> 0 <=
   at_gap m1 m2 a2 b k d u x v1 v2 t -> exists! p, 0 < p < PI /\ push d p = u /\
   (forall t', t < t' < t + 2 * p / o1 -> k * v1 t' < k * v2 t') /\ v1 (t + 2 * p / o1) = v2 (t + 2 * p / o1).
 Proof.
-  intros Hk H Ht Hd Hu G. pose proof PI_RGT_0. assert (Ex : exists p, 0 < p < PI /\ push d p = u).
+  intros Hk H Ht Hd Hu G. assert (Ex : exists p, 0 < p < PI /\ push d p = u).
   { destruct (Req_dec d 0) as [->|N]; [|destruct (push_root d u ltac:(lra)) as (p & P & _); eauto].
     destruct (proj1 (proj2 rise) u (Hu eq_refl)) as (th & (Hth & E) & _). exists (th / 2).
     rewrite push_0, hh_h by lra. replace (2 * (th / 2)) with th by field. split; [lra|auto]. }
@@ -206,7 +197,7 @@ Proof.
   intros Hu Huv Hv. assert (- turn u < - turn v); [|lra].
   apply (incr_function (fun t => - turn t) PI (2 * PI) (fun t => - (t * sin t))); try (simpl; lra).
   - intros t _ _. unfold turn. auto_derive; auto. ring.
-  - intros t T0 T1. simpl in T0, T1. pose proof PI_RGT_0. pose proof (sin_lt_0 t T0 T1). nra.
+  - intros t T0 T1. simpl in T0, T1. pose proof (sin_lt_0 t T0 T1). nra.
 Qed.
 Lemma turns_until u v : 0 < u < 2 * PI -> 0 < v < 2 * PI -> turn v = 0 -> (u < v -> 0 < turn u) /\ (v < u -> turn u < 0).
 Proof.
@@ -222,7 +213,7 @@ Proof.
   pose proof PI_RGT_0. destruct (IVT (fun t => - turn t) PI (2 * PI)) as (v & Hv & Z); [unfold turn; reg|lra| | |].
   - unfold turn. rewrite sin_PI, cos_PI. lra.
   - unfold turn. rewrite sin_2PI, cos_2PI. lra.
-  - cbv beta in Z. assert (v <> 2 * PI) by (intros ->; unfold turn in Z; rewrite sin_2PI, cos_2PI in Z; lra).
+  - assert (v <> 2 * PI) by (intros ->; unfold turn in Z; rewrite sin_2PI, cos_2PI in Z; lra).
     exists v. split; [split; lra|]. intros w (Hw & Zw). destruct (turns_until w v Hw ltac:(lra) ltac:(lra)) as (A & B).
     destruct (Rtotal_order v w) as [L1|[|L1]]; auto; exfalso; [specialize (B L1)|specialize (A L1)]; lra.
 Qed.
@@ -235,38 +226,27 @@ Theorem leaves_by k x v1 v2 s t p v : k = 1 \/ k = -1 -> sol x v1 v2 s -> 0 <= t
   (2 * p < v -> exists t2 u, e <= t2 /\ 0 < u /\ on_ray m1 m2 a2 b (- k) u x v1 v2 t2 /\ forall r, e <= r <= t2 -> v1 r = v2 r) /\
   (v < 2 * p -> exists t2 u, e <= t2 /\ 0 < u /\ on_ray m1 m2 a2 b k u x v1 v2 t2 /\ forall r, e <= r <= t2 -> v1 r = v2 r).
 Proof.
-  intros Hk H Ht Hp On De Hy Hv Zv e. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Qp : 0 < q) by (unfold q, M; positive).
+  intros Hk H Ht Hp On De Hy Hv Zv e. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Qp : 0 < q) by positive.
   assert (Lp : 0 < L) by (apply L_pos; auto). assert (He : 0 <= e) by (unfold e; assert (0 < 2 * p / o1) by positive; lra).
-  apply ray_gap in On. rewrite <- (push_0 p) in On.
-  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t 0 p Hk H Ht (Rle_refl 0) Hp On) as (_ & _ & A & B & C & En).
-  fold o1 in A, B, C, En. fold e in A, B, C, En. fold M in A, En. fold q L in A. fold q Ecr in En. rewrite level_0 in En by auto. fold M in En.
-  rewrite Rplus_0_r in A, B, C. pose proof (next_push 0 p Hp) as Np. rewrite push_0, Rplus_0_r in Np. rewrite <- Np in B, C.
-  change (Cycle.ray m1 m2 a2 b) with ray in B, C. pose proof (depth_pos p Hp). set (y := hh p ^ 2 - m2 / M * depth p ^ 2) in *.
-  assert (Sy : 0 < sqrt y) by (apply sqrt_lt_R0; auto). assert (Ey : sqrt y ^ 2 = y) by (apply pow2_sqrt; lra). rewrite <- Ey in En.
-  assert (Dq : q * depth p <= 2) by (apply Rmult_le_reg_l with (/ q); [positive|]; replace (/ q * (q * depth p)) with (depth p) by (field; lra);
-    replace (/ q * 2) with (2 / q) by (field; lra); auto).
-  assert (Xe : - L <= k * x e <= L) by (rewrite A; assert (0 < q * depth p) by positive; split; nra).
-  assert (Ve : v1 e = v2 e) by (destruct Hk; subst k; lra).
-  assert (Sg : forall j, j = 1 \/ j = -1 -> j * v1 e < 0 -> exists t2 u, e <= t2 /\ 0 < u /\ on_ray m1 m2 a2 b (- j) u x v1 v2 t2 /\
-    forall r, e <= r <= t2 -> v1 r = v2 r).
-  { intros j Hj N. destruct Hj; subst j.
-    - destruct (to_ray_left m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s e (sqrt y) H He Ve) as (t2 & T2 & R & St);
-        [fold L; destruct Hk; subst k; lra|lra|auto|exact En|].
-      exists t2, (sqrt y). split; [lra|]. split; [auto|]. split; [exact R|]. intros r Hr. apply St; auto.
-    - destruct (to_ray_left m1 m2 a2 b Hm1 Hm2 Ha2 Hb _ _ _ _ e (sqrt y) (mirror m1 m2 a2 b _ _ _ _ H) He) as (t2 & T2 & R & St);
-        cbv beta; [lra|fold L; destruct Hk; subst k; lra|lra|auto| |].
-      { etransitivity; [|exact En]. unfold energy. field. }
-      exists t2, (sqrt y). split; [lra|]. split; [auto|]. split.
-      + destruct R as (R1 & R2 & R3). cbv beta in R1, R2, R3. unfold on_ray. repeat split; lra.
-      + intros r Hr. destruct (St r Hr) as (E1 & _). cbv beta in E1. lra. }
-  assert (Ray : forall z, ray z = b / (m2 * o1) * z) by reflexivity. assert (K : 0 < b / (m2 * o1)) by positive.
+  apply ray_gap in On. rewrite <- (push_0 p) in On. destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t 0 p Hk H
+    Ht (Rle_refl 0) Hp On) as (_ & _ & A & B & C & En). fold o1 in A, B, C, En. fold e in A, B, C, En. fold M in A, En.
+  fold q L in A. fold q Ecr in En. rewrite level_0 in En by auto. fold M in En.
+  assert (Xe : - L <= x e <= L) by (apply (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ 0 p Hk (Rle_refl 0) Hp A);
+    rewrite Rplus_0_r; auto). rewrite Rplus_0_r in B, C. pose proof (next_push 0 p Hp) as Np.
+  rewrite push_0, Rplus_0_r in Np. rewrite <- Np in B, C. set (y := hh p ^ 2 - m2 / M * depth p ^ 2) in *.
+  assert (Sy : 0 < sqrt y) by positive. assert (Ey : sqrt y ^ 2 = y) by (apply pow2_sqrt; lra). rewrite <- Ey in En.
+  assert (Ve : v1 e = v2 e) by (destruct Hk; subst k; lra). assert (Sg : forall j, j = 1 \/ j = -1 -> j * v1 e < 0 ->
+    exists t2 u, e <= t2 /\ 0 < u /\ on_ray m1 m2 a2 b (- j) u x v1 v2 t2 /\ forall r, e <= r <= t2 -> v1 r = v2 r).
+  { intros j Hj N. destruct (to_ray_side m1 m2 a2 b Hm1 Hm2 Ha2 Hb j x v1 v2 s e (sqrt y) Hj H He Ve Xe N Sy En)
+      as (t2 & T2 & R & St). exists t2, (sqrt y). split; [lra|]. split; [auto|]. split; [exact R|apply St]. }
+  assert (Ray : forall z, ray z = b / (m2 * o1) * z) by auto. assert (K : 0 < b / (m2 * o1)) by positive.
   assert (Tz : turn v = 0) by (unfold turn; lra). destruct (turns_until (2 * p) v ltac:(lra) Hv Tz) as (Up & Down).
   (* the speed there has the sign of h - theta, which is that of - turn theta *)
   assert (Hh : (2 * p - hh p) * (1 - cos (2 * p)) = turn (2 * p)).
   { rewrite hh_h by lra. unfold h, turn. field. pose proof (one_cos (2 * p) ltac:(lra)). lra. }
   pose proof (one_cos (2 * p) ltac:(lra)) as Oc. rewrite Ray in B. split; intros Lt.
-  - apply Sg; auto. specialize (Up Lt). rewrite B. assert (0 < 2 * p - hh p) by nra. assert (0 < b / (m2 * o1) * (2 * p - hh p)) by positive. lra.
-  - specialize (Down Lt). assert (N : 2 * p - hh p < 0) by nra. assert (0 < b / (m2 * o1) * (hh p - 2 * p)) by (apply Rmult_lt_0_compat; lra).
+  - apply Sg; auto. assert (0 < 2 * p - hh p) by nra. assert (0 < b / (m2 * o1) * (2 * p - hh p)) by positive. lra.
+  - assert (N : 2 * p - hh p < 0) by nra. assert (0 < b / (m2 * o1) * (hh p - 2 * p)) by positive.
     destruct (Sg (- k) ltac:(destruct Hk; [right|left]; lra)) as (t2 & u & T2 & U & R & St); [rewrite Ropp_mult_distr_l_reverse, B; lra|].
     rewrite Ropp_involutive in R. eauto 8.
 Qed.

@@ -4,13 +4,19 @@ From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunc
 (** each h > 0 is that of an angle *)
 Lemma half_ex u : 0 < u -> {p | 0 < p < PI /\ hh p = u}.
 Proof.
-  intros Hu. set (p0 := Rmin 1 (u / 4)). pose proof PI2_1. assert (P0 : 0 < p0 /\ p0 <= 1 /\ p0 <= u / 4).
-  { unfold p0. repeat split; [positive|apply Rmin_l|apply Rmin_r]. }
+  intros Hu. set (p0 := Rmin 1 (u / 4)). pose proof PI2_1.
+  assert (P0 : 0 < p0 /\ p0 <= 1 /\ p0 <= u / 4) by (repeat split; [positive|apply Rmin_l|apply Rmin_r]).
   destruct (push_ex 0 u p0) as (p & P); [lra| |exists p; rewrite <- push_0; auto]. rewrite push_0.
   pose proof (sin_half p0 ltac:(lra)) as S. pose proof (A_above p0 ltac:(lra)) as A.
   assert (0 < p0 ^ 2) by positive. assert (p0 ^ 2 / 4 <= sin p0 ^ 2) by nra.
-  apply Rmult_lt_reg_r with (sin p0 ^ 2); [lra|]. replace (hh p0 * sin p0 ^ 2) with (p0 - sin p0 * cos p0);
-    [nra|unfold hh; field; lra].
+  apply Rmult_lt_reg_r with (sin p0 ^ 2); [lra|].
+  replace (hh p0 * sin p0 ^ 2) with (p0 - sin p0 * cos p0); [nra|unfold hh; field; lra].
+Qed.
+(** and each push from a gap, or outwards from a ray *)
+Lemma push_at d u : 0 < d \/ d = 0 /\ 0 < u -> exists p, 0 < p < PI /\ push d p = u.
+Proof.
+  intros [D|(-> & U)]; [destruct (push_root d u D) as (p & P & _); eauto|]. destruct (half_ex u U) as (p & Hp & E).
+  exists p. rewrite push_0. auto.
 Qed.
 (** the half angle by the push *)
 Definition half u := match Rlt_dec 0 u with left Hu => proj1_sig (half_ex u Hu) | right _ => 1 end.
@@ -19,49 +25,45 @@ Proof. intros Hu. unfold half. destruct (Rlt_dec 0 u); [|lra]. exact (proj2_sig 
 (** h = pi/2 at p = pi/2 *)
 Lemma hh_half_pi : hh (PI / 2) = PI / 2.
 Proof. unfold hh. rewrite sin_PI2, cos_PI2. field. Qed.
-(** h is monotone, the other way round *)
-Lemma hh_le p q : 0 < p < PI -> 0 < q < PI -> hh p <= hh q -> p <= q.
-Proof. intros Hp Hq I. destruct (Rle_dec p q); auto.
-  pose proof (hh_incr q p ltac:(lra) ltac:(lra) ltac:(lra)); lra. Qed.
+(** h is monotone, both ways *)
+Lemma hh_le p q : 0 < p < PI -> 0 < q < PI -> (hh p <= hh q <-> p <= q).
+Proof.
+  intros Hp Hq. pose proof (hh_incr p q (proj1 Hp)). pose proof (hh_incr q p (proj1 Hq)).
+  destruct (Rtotal_order p q) as [L|[->|L]]; split; lra.
+Qed.
 
 (** up to half angle pi/2 it lands inside the strip, moving to the other ray *)
 Lemma depth_two p : 0 < p <= PI / 2 -> depth p <= 2.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (cos_ge_0 p ltac:(lra) ltac:(lra)) as C.
-  unfold depth. undivide (sin p). nra.
+  undivide (sin p). nra.
 Qed.
 (** it comes back inwards: h < theta *)
 Lemma back p : 0 < p <= PI / 2 -> hh p < 2 * p.
 Proof.
   intros Hp. destruct (Req_dec p (PI / 2)) as [->|N]. { rewrite hh_half_pi. lra. }
   pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos (2 * p) ltac:(lra)) as G.
-    rewrite cos_2a_sin, sin_2a in G.
-  unfold hh. undivide (sin p ^ 2). nra.
+  rewrite cos_2a_sin, sin_2a in G. undivide (sin p ^ 2). nra.
 Qed.
 
 (** h/c decreases up to pi/2, because K > 0 there *)
 Lemma ratio_falls p q : 0 < p -> p <= q -> q <= PI / 2 -> ratio q <= ratio p.
 Proof.
   intros H0 Hpq Hq. destruct (Req_dec p q) as [->|N]; [lra|]. pose proof PI2_3_2 as P3.
-  destruct root as (ps & Hps & Z & Le & Ri). assert (Ps : PI / 2 < ps).
-  { assert (0 < K (PI / 2)). { unfold K. rewrite sin_PI2, cos_PI2. pose proof (sqrt_sqrt 2 ltac:(lra)).
-    pose proof (sqrt_pos 2). assert (sqrt 2 < 3 / 2) by nra. lra. }
-    destruct (Rlt_dec (PI / 2) ps) as [|G]; auto. exfalso.
-      destruct (Req_dec ps (PI / 2)) as [E|E]; [rewrite E in Z; lra|].
-    specialize (Ri (PI / 2) ltac:(lra)). lra. }
+  destruct root as (ps & Hps & Z & Le & Ri). assert (Kh : 0 < K (PI / 2)).
+  { unfold K. rewrite sin_PI2, cos_PI2. pose proof (sqrt_sqrt 2 ltac:(lra)). nra. }
+  assert (PI / 2 < ps) by (apply Rnot_le_lt; intros [L|E]; [pose proof (Ri (PI / 2))|rewrite E in Z]; lra).
   apply Rlt_le, (ratio_step p q); [lra|lra|lra|]. intros t Ht. apply Le. lra.
 Qed.
 (** so an excursion shorter than one that ends above E_cr ends above it too *)
 Lemma stays_above r p q : 0 < p -> p <= q -> q <= PI / 2 -> r * depth q ^ 2 < hh q ^ 2 -> r * depth p ^ 2 < hh p ^ 2.
 Proof.
-  intros Hp Hpq Hq I. pose proof PI_RGT_0. pose proof (depth_pos p ltac:(lra)) as Dp.
-    pose proof (depth_pos q ltac:(lra)) as Dq.
+  intros Hp Hpq Hq I. pose proof (depth_pos p ltac:(lra)) as Dp. pose proof (depth_pos q ltac:(lra)) as Dq.
   pose proof (hh_pos q ltac:(lra)) as Hh. pose proof (ratio_falls p q Hp Hpq Hq) as R1.
   assert (Eq : hh q = ratio q * depth q) by (unfold ratio; field; lra).
-    assert (Ep : hh p = ratio p * depth p) by (unfold ratio; field; lra).
-  assert (R0 : 0 < ratio q) by (apply Rdiv_lt_0_compat; auto).
-    assert (R2 : ratio q ^ 2 <= ratio p ^ 2) by (apply pow_incr; lra).
-  rewrite Eq, Rpow_mult_distr in I. apply Rmult_lt_reg_r in I; [|positive]. rewrite Ep, Rpow_mult_distr. scale.
+  assert (Ep : hh p = ratio p * depth p) by (unfold ratio; field; lra). assert (R0 : 0 < ratio q) by nra.
+  assert (R2 : ratio q ^ 2 <= ratio p ^ 2) by nra. rewrite Eq, Rpow_mult_distr in I.
+  apply Rmult_lt_reg_r in I; [|positive]. rewrite Ep, Rpow_mult_distr. scale.
 Qed.
 
 (** acos is at most sqrt (8 (1 - z)) *)
@@ -71,6 +73,10 @@ Proof.
   destruct (Req_dec a 0) as [->|N]. { lra. } replace a with (2 * (a / 2)) in C by field. rewrite cos_2a_sin in C.
     pose proof (sin_half (a / 2) ltac:(lra)) as S. nra.
 Qed.
+
+(** the sides alternate *)
+Lemma sides k n : k = 1 \/ k = -1 -> k * (-1) ^ n = 1 \/ k * (-1) ^ n = -1.
+Proof. intros Hk. induction n; simpl; [|destruct IHn; [right|left]]; lra. Qed.
 
 Section Orbit.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -100,25 +106,20 @@ Definition cyc p := 2 * p / o1 + (acos (- / amp (hh (next p) ^ 2)) - acos ((1 - 
 (** 9/4 r h^2 < 1 is enough *)
 Lemma ok_small p : 0 < p <= PI / 2 -> 9 / 4 * r * hh p ^ 2 < 1 -> ok p.
 Proof.
-  intros Hp Hs. split; auto. assert (P : 0 < p < PI) by (pose proof PI_RGT_0; lra).
-  pose proof (depth_pos p P) as D0. pose proof (depth_upper p P) as D1. pose proof (pow_lt _ 2 (hh_pos p P)) as H2.
-  assert (D2 : depth p ^ 2 <= (3 / 2 * hh p ^ 2) ^ 2) by (apply pow_incr; lra).
-  apply Rle_lt_trans with (r * (3 / 2 * hh p ^ 2) ^ 2); [scale|].
-  replace (r * (3 / 2 * hh p ^ 2) ^ 2) with (9 / 4 * r * hh p ^ 2 * hh p ^ 2) by field.
-    rewrite <- (Rmult_1_l (hh p ^ 2)) at 3. scale.
+  split; auto. assert (P : 0 < p < PI) by lra. pose proof (depth_pos p P) as D0. pose proof (depth_upper p P) as D1.
+  assert (D2 : depth p ^ 2 <= (3 / 2 * hh p ^ 2) ^ 2) by nra. nra.
 Qed.
 (** the next excursion is one of them too, and its level is that of the return map *)
 Lemma next_ok p : ok p -> ok (next p) /\ hh (next p) ^ 2 = hh p ^ 2 - r * depth p ^ 2.
 Proof.
-  intros (Hp & Hs). assert (P : 0 < p < PI) by (pose proof PI_RGT_0; lra). pose proof (hh_pos p P) as H0.
-  assert (Y : 0 < hh p ^ 2 - r * depth p ^ 2) by lra.
-  destruct (half_spec _ (sqrt_lt_R0 _ Y)) as (Hn & E). fold (next p) in Hn, E.
-  assert (E2 : hh (next p) ^ 2 = hh p ^ 2 - r * depth p ^ 2). { rewrite E, <- Rsqr_pow2, Rsqr_sqrt; lra. }
-  split; auto. assert (0 < r * depth p ^ 2) by (apply Rmult_lt_0_compat; [auto|apply pow_lt, depth_pos; auto]).
-  assert (hh (next p) <= hh p). { pose proof (hh_pos _ Hn). nra. }
-  pose proof (hh_le (next p) p Hn P ltac:(lra)). split; [lra|]. apply (stays_above r (next p) p); lra.
+  intros (Hp & Hs). assert (P : 0 < p < PI) by lra. pose proof (hh_pos p P) as H0.
+  assert (Y : 0 < hh p ^ 2 - r * depth p ^ 2) by lra. destruct (half_spec _ (sqrt_lt_R0 _ Y)) as (Hn & E).
+  fold (next p) in Hn, E.
+  assert (E2 : hh (next p) ^ 2 = hh p ^ 2 - r * depth p ^ 2) by (rewrite E, <- Rsqr_pow2, Rsqr_sqrt; lra). split; auto.
+  assert (hh (next p) <= hh p) by nra. pose proof (proj1 (hh_le (next p) p Hn P) ltac:(lra)).
+  split; [lra|]. apply (stays_above r (next p) p); lra.
 Qed.
-Lemma ok_pi p : ok p -> 0 < p < PI. Proof. intros (Hp & _). pose proof PI_RGT_0. lra. Qed.
+Lemma ok_pi p : ok p -> 0 < p < PI. Proof. intros (Hp & _). lra. Qed.
 
 (** The cycle from ray to ray, on either side: slip with k (v1 - v2) < 0, then stick inside the strip. *)
 Lemma cycle1 x v1 v2 s t0 p : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> ok p -> on_ray 1 (hh p) x v1 v2 t0 ->
@@ -135,24 +136,14 @@ Proof.
     lra) H1 Lx).
   destruct S as (St & Sr & Si).
   - split; nra.
-  - rewrite L1. pose proof (ray_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb (2 * p - hh p) ltac:(lra)). unfold ray in *. lra.
-  - rewrite L1, L2; auto.
+  - pose proof (ray_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb (2 * p - hh p) ltac:(lra)). unfold ray in *. lra.
+  - positive.
   - rewrite E. exact (slip_level m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t0 p H Ht Hp HR).
   - fold om amp in St, Sr, Si. set (T :=
     (acos (- / amp (hh (next p) ^ 2)) - acos ((1 - q * depth p) / amp (hh (next p) ^ 2))) / om) in *.
-    assert (C : cyc p = 2 * p / o1 + T) by reflexivity. rewrite C.
-      replace (t0 + (2 * p / o1 + T)) with (t1 + T) by (unfold t1; ring).
-    split; [lra|]. split; [exact Sr|]. split; [exact Sl|]. intros u Hu.
-      replace (t0 + u) with (t1 + (u - 2 * p / o1)) by (unfold t1; ring). apply Si. lra.
-Qed.
-
-(** the mirror image of a ray *)
-Lemma ray_mirror k u x v1 v2 t : on_ray k u x v1 v2 t <->
-  on_ray (- k) u (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) t.
-Proof.
-  unfold on_ray, Cycle.on_ray. replace (- k * - x t) with (k * x t) by ring.
-    replace (- k * - v1 t) with (k * v1 t) by ring.
-  replace (- k * - v2 t) with (k * v2 t) by ring. tauto.
+    assert (C : cyc p = 2 * p / o1 + T) by auto. rewrite C.
+    replace (t0 + (2 * p / o1 + T)) with (t1 + T) by (unfold t1; ring). split; [lra|]. split; [exact Sr|].
+    split; [exact Sl|]. intros u Hu. replace (t0 + u) with (t1 + (u - 2 * p / o1)) by (unfold t1; ring). apply Si. lra.
 Qed.
 
 (** [cycle] From a ray with slip angle up to $\pi$ and $r\,c^2<h^2$ to the other ray: one slip and one stick, with the
@@ -163,15 +154,10 @@ Theorem cycle k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v
   (forall u, 0 < u < 2 * p / o1 -> k * v1 (t0 + u) < k * v2 (t0 + u)) /\
   (forall u, 2 * p / o1 <= u <= cyc p -> v1 (t0 + u) = v2 (t0 + u) /\ - L <= x (t0 + u) <= L).
 Proof.
-  intros [-> | ->] H Ht Hok HR.
-  - destruct (cycle1 x v1 v2 s t0 p H Ht Hok HR) as (A & B & C & D). repeat (split; [auto; fail|]). split; auto.
-    intros u Hu. specialize (C u Hu). lra.
-  - apply ray_mirror in HR. replace (- -1) with 1 in HR by ring.
-    destruct (cycle1 _ _ _ _ t0 p (mirror m1 m2 a2 b _ _ _ _ H) Ht Hok HR) as (A & B & C & D).
-    split; [auto|]. split; [|split].
-    + apply ray_mirror. replace (- - -1) with (-1) by ring. auto.
-    + intros u Hu. specialize (C u Hu). simpl in C. lra.
-    + intros u Hu. specialize (D u Hu). simpl in D. lra.
+  intros Hk H Ht Hok HR. destruct (cycle1 _ _ _ _ t0 p (sided m1 m2 a2 b k _ _ _ _ Hk H) Ht Hok) as (A & B & C & D).
+  { unfold on_ray, Cycle.on_ray in *. lra. }
+  split; [auto|]. split; [unfold on_ray, Cycle.on_ray in *; lra|]. split; [auto|]. intros u Hu. specialize (D u Hu).
+  destruct Hk; subst k; lra.
 Qed.
 
 (** the cycle time is pi / omega up to 6 sqrt q hh p / omega *)
@@ -185,41 +171,24 @@ Qed.
 Theorem cycle_time p : ok p -> Rabs (om * cyc p - PI) <= 6 * sqrt q * hh p.
 Proof.
   intros Hok. pose proof (ok_pi p Hok) as Hp. destruct (next_ok p Hok) as (Hn & E).
-    pose proof (hh_pos _ (ok_pi _ Hn)) as H1.
-  pose proof (hh_pos p Hp) as H0. pose proof (depth_pos p Hp) as D0. pose proof (depth_upper p Hp) as D1.
-    pose proof (hh_below p Hp) as Hb'.
-  destruct Hok as (Hok & _). pose proof (depth_two p Hok) as D2.
-  set (y1 := hh (next p) ^ 2) in *. assert (Y1 : 0 < y1) by positive.
-  assert (Y2 : y1 <= hh p ^ 2). { pose proof (pow_lt _ 2 D0). nra. }
-  assert (R1 : 1 <= amp y1) by (apply amp_ge; auto; lra).
-    assert (R2 : amp y1 * amp y1 = 1 + q * y1) by (apply amp_sq; auto; lra).
-  unfold cyc. fold y1. set (rho := amp y1) in *. assert (R3 : rho - 1 <= q * y1 / 2) by nra.
-  assert (Ir : 0 < / rho <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1.
-    apply Rinv_le_contravar; lra. }
-  assert (I1 : rho * / rho = 1) by (apply Rinv_r; lra).
-  rewrite acos_opp. set (A := acos (/ rho)). set (B := acos ((1 - q * depth p) / rho)).
-  pose proof (acos_bound (/ rho)) as A0. fold A in A0. pose proof (acos_bound ((1 - q * depth p) / rho)) as B0.
-    fold B in B0.
-  pose proof (sqrt_pos q) as Q0. pose proof (sqrt_sqrt q ltac:(lra)) as Q1. assert (A1 : A <= 2 * sqrt q * hh p).
-  { pose proof (acos_small (/ rho) ltac:(lra)) as S. fold A in S.
-    assert (1 - / rho <= q * y1 / 2). { replace (1 - / rho) with ((rho - 1) * / rho) by (rewrite
-      Rmult_minus_distr_r, I1; ring). nra. }
-    assert (q * y1 <= q * hh p ^ 2) by scale. assert (A ^ 2 <= (2 * sqrt q * hh p) ^ 2).
-      { replace ((2 * sqrt q * hh p) ^ 2) with (4 * (sqrt q * sqrt q) * hh p ^ 2) by ring. rewrite Q1. lra. }
-    assert (0 <= sqrt q * hh p) by positive. nra. }
+  pose proof (hh_pos _ (ok_pi _ Hn)) as H1. pose proof (hh_pos p Hp) as H0. pose proof (depth_pos p Hp) as D0.
+  pose proof (depth_upper p Hp) as D1. pose proof (hh_below p Hp) as Hb'. destruct Hok as (Hok & _).
+  pose proof (depth_two p Hok) as D2. set (y1 := hh (next p) ^ 2) in *. assert (Y1 : 0 < y1) by positive.
+  assert (Y2 : y1 <= hh p ^ 2) by nra. assert (R1 : 1 <= amp y1) by (apply amp_ge; auto; lra).
+  assert (R2 : amp y1 * amp y1 = 1 + q * y1) by (apply amp_sq; auto; lra). unfold cyc. fold y1.
+  set (rho := amp y1) in *. assert (R3 : rho - 1 <= q * y1 / 2) by nra. assert (Ir : 0 < / rho <= 1).
+  { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. }
+  assert (I1 : rho * / rho = 1) by (apply Rinv_r; lra). rewrite acos_opp. set (A := acos (/ rho)).
+  set (B := acos ((1 - q * depth p) / rho)). pose proof (acos_bound (/ rho)) as A0. fold A in A0.
+  pose proof (acos_bound ((1 - q * depth p) / rho)) as B0. fold B in B0. pose proof (sqrt_pos q) as Q0.
+  pose proof (sqrt_sqrt q ltac:(lra)) as Q1. assert (A1 : A <= 2 * sqrt q * hh p).
+  { pose proof (acos_small (/ rho) ltac:(lra)) as S. fold A in S. assert (q * y1 <= q * hh p ^ 2) by nra.
+    assert (A ^ 2 <= (2 * sqrt q * hh p) ^ 2) by nra. assert (0 <= sqrt q * hh p) by positive. nra. }
   assert (B1 : B <= 4 * sqrt q * hh p).
-  { assert (Qd : 0 < q * depth p <= 2). { split; [apply Rmult_lt_0_compat; auto|]. nra. }
-    pose proof (acos_small ((1 - q * depth p) / rho) ltac:(unfold Rdiv; split; nra)) as S. fold B in S.
-    assert (1 - (1 - q * depth p) / rho <= q * y1 / 2 + q * depth p).
-    { replace (1 - (1 - q * depth p) / rho) with ((rho - 1 + q * depth p) * / rho) by (field; lra).
-      apply Rle_trans with ((rho - 1 + q * depth p) * 1); [scale|lra]. }
-    assert (q * y1 <= q * hh p ^ 2) by scale. assert (q * depth p <= q * (3 / 2 * hh p ^ 2)) by scale.
-    assert (B ^ 2 <= (4 * sqrt q * hh p) ^ 2).
-      { replace ((4 * sqrt q * hh p) ^ 2) with (16 * (sqrt q * sqrt q) * hh p ^ 2) by ring. rewrite Q1. lra. }
-    assert (0 <= sqrt q * hh p) by positive. nra. }
+  { assert (Qd : 0 < q * depth p <= 2) by nra.
+    pose proof (acos_small ((1 - q * depth p) / rho) ltac:(unfold Rdiv; split; nra)) as S. fold B in S. nra. }
   replace (om * (2 * p / o1 + (PI - A - B) / om) - PI) with (2 * p * (om / o1) - A - B) by (field; lra). rewrite om_o1.
-  assert (0 <= 2 * p * sqrt q <= 3 * sqrt q * hh p). { split; [apply Rmult_le_pos; lra|]. nra. }
-  apply Rabs_le. assert (0 <= sqrt q * hh p) by positive. lra.
+  assert (0 <= 2 * p * sqrt q <= 3 * sqrt q * hh p) by nra. apply Rabs_le. lra.
 Qed.
 
 (** *** The exits of the solution *)
@@ -232,16 +201,13 @@ Proof. intros Hp. induction n; simpl; auto. apply next_ok; auto. Qed.
 (** a cycle is longer than its slip *)
 Lemma cyc_long p : ok p -> 0 < 2 * p / o1 < cyc p.
 Proof.
-  intros Hp. pose proof (ok_pi _ Hp). split; [positive|].
-  destruct (next_ok p Hp) as (Hn & E). pose proof (hh_pos _ (ok_pi _ Hn)) as Hq.
-  destruct Hp as (Hp & _). pose proof (depth_two p Hp). pose proof (depth_pos p ltac:(lra)).
+  intros Hp. pose proof (ok_pi _ Hp). split; [positive|]. destruct Hp as (Hp & _). pose proof (depth_two p Hp).
+  pose proof (depth_pos p ltac:(lra)).
   assert (R1 : 1 <= amp (hh (next p) ^ 2)) by (apply amp_ge; auto; apply pow2_ge_0). unfold cyc.
-  set (rho := amp (hh (next p) ^ 2)) in *.
-  assert (Ir : 0 < / rho <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1.
-    apply Rinv_le_contravar; lra. }
+  set (rho := amp (hh (next p) ^ 2)) in *. assert (Ir : 0 < / rho <= 1). { split; [apply Rinv_0_lt_compat; lra|].
+    rewrite <- Rinv_1. apply Rinv_le_contravar; lra. }
   pose proof (acos_bound (- / rho)). pose proof (acos_bound ((1 - q * depth p) / rho)).
-  assert (Qd : 0 < q * depth p < 2) by (split; nra).
-  assert (- / rho < (1 - q * depth p) / rho <= 1) by (unfold Rdiv; split; nra).
+  assert (Qd : 0 < q * depth p < 2) by nra. assert (- / rho < (1 - q * depth p) / rho <= 1) by nra.
   assert (acos ((1 - q * depth p) / rho) < acos (- / rho)).
   { apply cos_decreasing_0; try lra. rewrite !cos_acos by lra. lra. }
   apply Rminus_lt_0. replace (_ - _) with ((acos (- / rho) - acos ((1 - q * depth p) / rho)) / om) by ring.
@@ -259,29 +225,23 @@ Theorem exits k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v
   on_ray k (hh p) x v1 v2 t0 ->
   forall n, on_ray (k * (-1) ^ n) (hh (orb p n)) x v1 v2 (tim t0 p n).
 Proof.
-  intros Hk H Ht Hp HR n.
-  assert (K : k * (-1) ^ n = 1 \/ k * (-1) ^ n = -1). { induction n; simpl; [lra|]. destruct IHn; [right|left]; lra. }
-  induction n. { simpl. rewrite Rmult_1_r. auto. }
-  assert (Kn : k * (-1) ^ n = 1 \/ k * (-1) ^ n = -1). { simpl in K. destruct K; [right|left]; lra. }
+  intros Hk H Ht Hp HR n. induction n as [|n IH]; [rewrite Rmult_1_r; auto|].
   replace (k * (-1) ^ S n) with (- (k * (-1) ^ n)) by (simpl; ring).
-  apply (cycle (k * (-1) ^ n) x v1 v2 s (tim t0 p n) (orb p n)); auto.
-  - pose proof (tim_start t0 p n Hp). lra.
-  - apply orb_ok; auto.
+  apply (cycle (k * (-1) ^ n) x v1 v2 s (tim t0 p n) (orb p n)); auto using sides, orb_ok.
+  pose proof (tim_start t0 p n Hp). lra.
 Qed.
 (** [ray-energy] On an exit ray with the exit speed $h$ the energy is $E_{cr}(1+q\,h^2)$. *)
 Lemma ray_energy k u x v1 v2 t : k = 1 \/ k = -1 -> on_ray k u x v1 v2 t ->
   energy m1 m2 a2 (x t) (v1 t) (v2 t) = Ecr * (1 + q * u ^ 2).
 Proof.
   intros Hk (Ex & E1 & E2). unfold Ecr, q, M. rewrite <- (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 u).
-  assert (Ev : v2 t = v1 t) by (destruct Hk; subst k; lra). rewrite <- Ex, <- E1, Ev.
-  unfold energy. destruct Hk; subst k; field.
+  assert (Ev : v2 t = v1 t) by nra. rewrite <- Ex, <- E1, Ev. unfold energy. destruct Hk; subst k; field.
 Qed.
 (** [exit-energy] Along the orbit of exits the energy at each is $E_{cr}(1+q\,y)$. *)
 Theorem exit_energy k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> ok p ->
   on_ray k (hh p) x v1 v2 t0 ->
   forall n, energy m1 m2 a2 (x (tim t0 p n)) (v1 (tim t0 p n)) (v2 (tim t0 p n)) = Ecr * (1 + q * hh (orb p n) ^ 2).
 Proof.
-  intros Hk H Ht Hp HR n. apply (ray_energy (k * (-1) ^ n)); [|apply (exits k x v1 v2 s t0 p); auto].
-  induction n; simpl; [lra|]. destruct IHn; [right|left]; lra.
+  intros Hk H Ht Hp HR n. apply (ray_energy (k * (-1) ^ n)); [apply sides|apply (exits k x v1 v2 s t0 p)]; auto.
 Qed.
 End Orbit.

@@ -1,6 +1,6 @@
 (** The places of exits and entries of a solution that never merges: every exit is at an end of S0, the entry after it
     tends to the same end, and the speeds at both tend to 0. *)
-From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion OneOverT ReturnToS0 SwitchingSurface.
+From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap OneOverT ReturnToS0 SwitchingSurface.
 
 (** a sequence whose squares tend to 0 tends to 0 *)
 Lemma from_squares u : is_lim_seq (fun n => u n ^ 2) 0 -> is_lim_seq u 0.
@@ -67,12 +67,10 @@ Proof.
     pose proof (Rmin_l T (te (S n) - tau n)). pose proof (Rmin_r T (te (S n) - tau n)). fold d in H2, H3.
     apply (Off n (tau n + d / 2)); [lra|]. apply K. lra. }
   assert (Df : is_lim_seq (fun n => x (te (S n)) - x (tau n)) 0).
-  { apply is_lim_seq_abs_0. set (V := sqrt (2 * E 0 / m1)).
-    apply is_lim_seq_le_le with (fun _ => 0) (fun n => V * (te (S n) - tau n)).
-    - split; [apply Rabs_pos|]. pose proof (O1 n). pose proof (O2 n).
+  { set (V := sqrt (2 * E 0 / m1)). apply lim_within with (fun n => V * (te (S n) - tau n)).
+    - intros n. rewrite Rminus_0_r. pose proof (O1 n). pose proof (O2 n).
       apply (path m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H (tau n) (te (S n)) (E 0)); [lra|].
       apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). lra.
-    - apply is_lim_seq_const.
     - rewrite <- (Rmult_0_r V). apply (is_lim_seq_scal_l _ V 0). exact Sl. }
   split; [exact Ex|]. split; [exact Df|]. split.
   - apply rest_along; [|intros n; apply Con|].
@@ -80,13 +78,8 @@ Proof.
     + apply is_lim_seq_ext with (fun _ => L); [intros n; rewrite Ex; auto|apply is_lim_seq_const].
   - apply (rest_along (fun n => te (S n))); [|intros n; apply En|].
     + apply (is_lim_seq_incr_1 te). exact TI.
-    + (* | |x'| - L | <= |x' - x| *)
-      apply is_lim_seq_ext with (fun n => L + (Rabs (x (te (S n))) - L)); [intros; ring|].
-      replace (Finite L) with (Rbar_plus L 0) by (simpl; f_equal; ring).
-        apply (is_lim_seq_plus' (fun _ => L) _ L 0); [apply is_lim_seq_const|].
-      apply is_lim_seq_abs_0. apply is_lim_seq_le_le with (fun _ => 0) (fun n => Rabs (x (te (S n)) - x (tau n))).
-      * split; [apply Rabs_pos|]. rewrite <- (Ex n) at 1. apply Rabs_triang_inv2.
-      * apply is_lim_seq_const.
-      * apply (proj1 (is_lim_seq_abs_0 _)) in Df. exact Df.
+    + apply lim_within with (fun n => Rabs (x (te (S n)) - x (tau n))).
+      * intros n. rewrite <- (Ex n). apply Rabs_triang_inv2.
+      * apply (proj1 (is_lim_seq_abs_0 _)), Df.
 Qed.
 End Ends.

@@ -6,25 +6,21 @@ From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle SlipF
 (** 2 sin^2 z (h - hh z) is at most 2 (h - atan h), its value at z = atan h *)
 Lemma bulge z h : 0 <= h -> 0 < z <= PI / 2 -> 2 * sin z ^ 2 * (h - hh z) <= 2 * (h - atan h).
 Proof.
-  intros Hh Hz. set (a := atan h). pose proof (atan_bound h) as B. fold a in B. pose proof PI_RGT_0.
+  intros Hh Hz. set (a := atan h). pose proof (atan_bound h) as B. fold a in B.
   assert (A0 : 0 <= a) by (destruct Hh as [Hh|<-]; [apply Rlt_le; unfold a; rewrite <- atan_0; apply atan_increasing|
-    unfold a; rewrite atan_0]; lra).
-  assert (C : 0 < cos a) by (apply cos_gt_0; lra). pose proof (cos_ge_0 z ltac:(lra) ltac:(lra)) as Cz.
+    unfold a; rewrite atan_0]; lra). assert (C : 0 < cos a) by (apply cos_gt_0; lra).
+  pose proof (cos_ge_0 z ltac:(lra) ltac:(lra)) as Cz.
   assert (T : h * cos a = sin a) by (rewrite <- (tan_atan h) at 1; fold a; unfold tan; field; lra).
-  pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 z) as SC. unfold Rsqr in SC.
-  apply Rmult_le_reg_r with (cos a); auto. apply Rminus_le_0.
+  pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S. apply Rmult_le_reg_r with (cos a); auto. apply Rminus_le_0.
   replace (_ - _) with (2 * (cos z * sin (a - z) - (a - z) * cos a)).
-  2: { rewrite sin_minus. unfold hh. replace (2 * sin z ^ 2 * (h - (z - sin z * cos z) / sin z ^ 2) * cos a)
-    with (2 * (sin z * sin z) * (h * cos a) - 2 * (z - sin z * cos z) * cos a) by (field; lra).
-    replace (2 * (h - a) * cos a) with (2 * (h * cos a) - 2 * a * cos a) by ring. rewrite T.
-    replace (sin z * sin z) with (1 - cos z * cos z) by lra. ring. }
-  apply Rmult_le_pos; [lra|]. destruct (Rle_dec z a) as [L|L].
+  2: { rewrite sin_minus, <- T. unfold hh. trig z. }
+  destruct (Rle_dec z a) as [L|L].
   - pose proof (g_nonneg (a - z) ltac:(lra)) as G. assert (Ca : cos a <= cos z * cos (a - z)).
     { replace a with (z + (a - z)) at 1 by ring. rewrite cos_plus. pose proof (sin_pos (a - z) ltac:(lra)). nra. }
-    assert ((a - z) * cos a <= (a - z) * (cos z * cos (a - z))) by scale.
-    assert (cos z * ((a - z) * cos (a - z)) <= cos z * sin (a - z)) by (apply Rmult_le_compat_l; lra). lra.
+    assert ((a - z) * cos a <= (a - z) * (cos z * cos (a - z))) by nra.
+    assert (cos z * ((a - z) * cos (a - z)) <= cos z * sin (a - z)) by nra. lra.
   - replace (a - z) with (- (z - a)) by ring. rewrite sin_neg. pose proof (sin_below (z - a) ltac:(lra)).
-    assert (cos z <= cos a) by (apply cos_decr_1; lra). pose proof (sin_pos (z - a) ltac:(lra)). nra.
+    assert (cos z <= cos a) by (apply cos_decr_1; lra). nra.
 Qed.
 
 (** From the time ta on the pair sticks until its first exit,
@@ -43,20 +39,18 @@ Definition sticks_and_slips (ta f : R) (v1 v2 : R -> R) : Prop := exists te tau 
 Lemma root_law (v : R -> R) c B : 0 < c -> 0 < B -> (forall t, 0 <= t -> c <= v t) ->
   is_lim (fun t => t * ((v t ^ 2 - c ^ 2) / (2 * c))) p_infty B -> is_lim (fun t => t * (v t - c)) p_infty B.
 Proof.
-  intros Hc HB Up Li. apply is_lim_spec. apply is_lim_spec in Li. intros eps. simpl. pose proof (cond_pos eps) as He.
+  intros Hc HB Up Li. apply is_lim_spec. apply is_lim_spec in Li. intros eps. pose proof (cond_pos eps) as He.
   destruct (Li (mkposreal (eps / 2) ltac:(lra))) as (T & K').
-  assert (K : forall t, T < t -> Rabs (t * ((v t ^ 2 - c ^ 2) / (2 * c)) - B) < eps / 2) by exact K'.
+  assert (K : forall t, T < t -> Rabs (t * ((v t ^ 2 - c ^ 2) / (2 * c)) - B) < eps / 2) by auto.
   exists (Rmax (Rmax T 1) ((B + eps) ^ 2 / (c * eps))). intros t Ht.
-    pose proof (Rmax_l (Rmax T 1) ((B + eps) ^ 2 / (c * eps))).
+  pose proof (Rmax_l (Rmax T 1) ((B + eps) ^ 2 / (c * eps))).
   pose proof (Rmax_r (Rmax T 1) ((B + eps) ^ 2 / (c * eps))). pose proof (Rmax_l T 1). pose proof (Rmax_r T 1).
   specialize (K t ltac:(lra)). specialize (Up t ltac:(lra)). apply Rabs_def2 in K. set (d := v t - c) in *.
   assert (E : t * ((v t ^ 2 - c ^ 2) / (2 * c)) = t * d + t * d ^ 2 / (2 * c)) by (unfold d; field; lra).
-    rewrite E in K. assert (D0 : 0 <= d) by (unfold d; lra). assert (Td : 0 <= t * d) by positive.
-  assert (Sq : 0 <= t * d ^ 2 / (2 * c)) by positive.
+  assert (Td : 0 <= t * d) by positive. assert (Sq : 0 <= t * d ^ 2 / (2 * c)) by positive.
   assert (t * d ^ 2 / (2 * c) <= eps / 2); [|apply Rabs_def1; lra]. undivide (2 * c).
-  apply Rmult_le_reg_l with t; [lra|]. replace (t * (t * d ^ 2)) with ((t * d) ^ 2) by ring.
-  assert ((t * d) ^ 2 <= (B + eps) ^ 2) by (apply pow_incr; lra).
-    assert (Q : (B + eps) ^ 2 / (c * eps) * (c * eps) <= t * (c * eps)) by scale.
+  apply Rmult_le_reg_l with t; [lra|]. assert ((t * d) ^ 2 <= (B + eps) ^ 2) by (apply pow_incr; lra).
+  assert (Q : (B + eps) ^ 2 / (c * eps) * (c * eps) <= t * (c * eps)) by scale.
   replace ((B + eps) ^ 2 / (c * eps) * (c * eps)) with ((B + eps) ^ 2) in Q by (field; lra). lra.
 Qed.
 
@@ -89,9 +83,7 @@ Let sl n := 2 * ph n / o1.
 Let side n := k * (-1) ^ n.
 Let P n : 0 < ph n < PI := ph_pi m1 m2 Hm1 Hm2 p Hp n.
 Let T0 n : t0 <= tm n := tim_start m1 m2 a2 Hm1 Hm2 Ha2 t0 p n Hp.
-(** the sides alternate *)
-Lemma sides n : side n = 1 \/ side n = -1.
-Proof. unfold side. induction n; simpl; [lra|]. destruct IHn; [right|left]; lra. Qed.
+Let sides n : side n = 1 \/ side n = -1 := sides k n Hk.
 (** on either the size is the same *)
 Lemma side_abs n y : Rabs y = Rabs (side n * y).
 Proof. rewrite Rabs_mult. destruct (sides n) as [->| ->]; [rewrite Rabs_R1|rewrite (Rabs_left (-1)) by lra]; ring. Qed.
@@ -121,11 +113,8 @@ Qed.
 (** the angles fall *)
 Lemma angles_fall n : ph (S n) < ph n.
 Proof.
-  pose proof (ReturnMap.y_falls (m2 / (m1 + m2)) (r_pos m1 m2 Hm1 Hm2) ph P (y_step m1 m2 Hm1 Hm2 p Hp) n) as F.
-    cbv beta in F.
-  pose proof (hh_pos _ (P n)). pose proof (hh_pos _ (P (S n))). destruct (Rlt_dec (ph (S n)) (ph n)) as [|N]; auto.
-    exfalso. assert (hh (ph n) <= hh (ph (S n))); [|nra]. destruct (Req_dec (ph n) (ph (S n))) as [->|]; [lra|].
-  apply Rlt_le, hh_incr; [apply P|lra|apply P].
+  apply hh_sq; [apply P|apply P|].
+  exact (ReturnMap.y_falls (m2 / (m1 + m2)) (r_pos m1 m2 Hm1 Hm2) ph P (y_step m1 m2 Hm1 Hm2 p Hp) n).
 Qed.
 Lemma angles_below n : ph n <= p.
 Proof. induction n; [unfold ph; simpl; lra|]. pose proof (angles_fall n). lra. Qed.
@@ -144,7 +133,7 @@ Proof.
   split; [lra|]. pose proof (hh_incr (o1 * u / 2) (ph n) ltac:(lra) ltac:(lra) ltac:(lra)) as I. split; [lra|].
   pose proof (guard m1 m2 a2 b Hm1 Hm2 Ha2 0 (push 0 (ph n)) u ltac:(fold o1; lra)) as D. fold o1 in D.
   rewrite !push_0 in *. rewrite (side_abs n). unfold w. rewrite Rmult_minus_distr_l, A, B, D.
-  pose proof (pow2_ge_0 (sin (o1 * u / 2))). assert (C0 : 0 < b / (m2 * o1)) by positive. rewrite Rabs_left1; [ring|].
+  rewrite Rabs_left1; [ring|].
   assert (0 <= b / (m2 * o1) * (2 * sin (o1 * u / 2) ^ 2) * (hh (ph n) - hh (o1 * u / 2))) by positive. lra.
 Qed.
 
@@ -158,20 +147,19 @@ Lemma slips_fade : exists te tau : nat -> R, tau 0%nat = t0 /\ (forall n, tau n 
 Proof.
   pose proof (P 0%nat) as P0. change (ph 0%nat) with p in P0. pose proof (hh_pos p P0) as Hh.
   assert (C0 : 0 < b / (m2 * o1)) by positive. assert (Ss : forall n, sl (S n) < sl n).
-  { intros n. unfold sl, Rdiv. apply Rmult_lt_compat_r; [positive|]. pose proof (angles_fall n). lra. }
+  { intros n. apply Rmult_lt_compat_r; [positive|]. pose proof (angles_fall n). lra. }
   exists (fun n => tm n + sl n), tm. split; [reflexivity|]. split; [intros n; pose proof (lasts n); lra|].
   split; [exact (tm_inf m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp)|]. split; [intros n t Hu; apply (sticks n t Hu)|].
   split; [intros n t Hu Eq; pose proof (slips n t Hu) as Q; rewrite Eq, Rminus_diag_eq, Rmult_0_r in Q by auto; lra|].
   split.
-  - intros n u Hu. assert (Hu' : 0 < u < sl (S n)) by lra. clear Hu. pose proof (Ss n). pose proof (P (S n)).
+  - intros n u Hu. assert (Hu' : 0 < u < sl (S n)) by lra. pose proof (Ss n). pose proof (P (S n)).
     destruct (proj2 (proj2 (slip_motion (S n)) u ltac:(lra)) Hu') as (Z & D & A).
     destruct (proj2 (proj2 (slip_motion n) u ltac:(lra)) ltac:(lra)) as (_ & _ & B).
     fold (w (tm (S n) + u)) (w (tm n + u)). rewrite A, B. apply Rmult_lt_compat_l; auto.
     pose proof (pow_lt _ 2 (sin_gt_0 (o1 * u / 2) ltac:(lra) ltac:(lra))). apply Rmult_lt_compat_l; [lra|].
     pose proof (hh_incr (ph (S n)) (ph n) ltac:(lra) (angles_fall n) (proj2 (P n))). lra.
   - assert (F1 : 0 <= fastest (hh p)).
-    { unfold fastest. pose proof (proj2 (proj1 Hp)) as Hp2.
-        pose proof (bulge (p / 2) (hh p) ltac:(lra) ltac:(lra)) as I.
+    { pose proof (bulge (p / 2) (hh p) ltac:(lra) ltac:(lra)) as I.
       pose proof (hh_incr (p / 2) p ltac:(lra) ltac:(lra) ltac:(lra)). pose proof (pow2_ge_0 (sin (p / 2))).
       apply Rmult_le_pos; [lra|]. apply Rle_trans with (2 := I). apply Rmult_le_pos; lra. }
     intros t Hu. destruct (in_cycle m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp 0%nat t Hu) as (n & _ & Ha & Hc). fold tm in Ha, Hc.
@@ -179,9 +167,8 @@ Proof.
     { replace u with 0 by (unfold u in *; lra). rewrite Rplus_0_r. destruct (leaves n) as (_ & A & B). unfold w.
       replace (v1 (tm n) - v2 (tm n)) with 0 by (destruct (sides n) as [Es|Es]; rewrite Es in A, B; lra).
         rewrite Rabs_R0. auto. } destruct (Rlt_dec u (sl n)) as [I|I].
-    + destruct (proj2 (proj2 (slip_motion n) u ltac:(lra)) ltac:(lra)) as (Z' & D & A). rewrite A. unfold fastest.
-      apply Rmult_le_compat_l; [lra|]. pose proof (P n) as Pn.
-      apply Rle_trans with (2 * sin (o1 * u / 2) ^ 2 * (hh p - hh (o1 * u / 2)));
+    + destruct (proj2 (proj2 (slip_motion n) u ltac:(lra)) ltac:(lra)) as (Z' & D & A). rewrite A.
+      apply Rmult_le_compat_l; [lra|]. apply Rle_trans with (2 * sin (o1 * u / 2) ^ 2 * (hh p - hh (o1 * u / 2)));
         [|pose proof (proj2 (proj1 (orb_ok m1 m2 Hm1 Hm2 p n Hp))) as Pn2; fold (ph n) in Pn2; apply bulge; lra].
       apply Rmult_le_compat_l; [pose proof (pow2_ge_0 (sin (o1 * u / 2))); lra|].
       destruct (Req_dec (ph n) p) as [->|]; [lra|]. pose proof (angles_below n).
@@ -193,12 +180,10 @@ Qed.
 (** *** Peaks *)
 Lemma stick_level n t : tm n + sl n <= t <= tm (S n) -> E t = Ecr * (1 + q * hh (ph (S n)) ^ 2).
 Proof.
-  intros Hu. pose proof (T0 n) as Tn. pose proof (lasts n) as Sn.
-  destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H _ (tm n) (ph n) (sides n) ltac:(lra) (P n)
-    (leaves n))
-    as (_ & _ & _ & E1 & _). fold o1 in E1. fold (sl n) q in E1. pose proof (y_step m1 m2 Hm1 Hm2 p Hp n) as En.
-      cbv beta in En.
-  fold ph in En. pose proof (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 _ _ x v1 v2 _ (sides (S n)) (leaves (S n))) as E2.
+  intros Hu. pose proof (T0 n) as Tn. pose proof (lasts n) as Sn. destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2
+    Ha2 Hb x v1 v2 s H _ (tm n) (ph n) (sides n) ltac:(lra) (P n) (leaves n)) as (_ & _ & _ & E1 & _). fold o1 in E1.
+  fold (sl n) q in E1. pose proof (y_step m1 m2 Hm1 Hm2 p Hp n) as En. fold ph in En.
+  pose proof (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 _ _ x v1 v2 _ (sides (S n)) (leaves (S n))) as E2.
   pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H (tm n + sl n) t ltac:(lra)) as F1.
   pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t (tm (S n)) ltac:(lra)) as F2. cbv beta in F1, F2.
   unfold E. fold Ecr in E1, E2. fold q in E2. rewrite En in *. lra.
@@ -209,15 +194,15 @@ Lemma peak_law : (forall t, 0 <= t -> Ecr < E t) ->
   is_lim (fun t => t * (pk t - L * om)) p_infty (L * om * rate m1 m2 a2 / 2).
 Proof.
   intros Up. assert (Pk : forall t, pk t ^ 2 = 2 * E t / (m1 + m2)).
-  { intros t. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)) as Q. fold (E t) in Q.
+  { intros t. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)) as Q.
     unfold pk. rewrite <- Rsqr_pow2, Rsqr_sqrt; auto. positive. } assert (LO : (L * om) ^ 2 = 2 * Ecr / (m1 + m2)).
   { unfold Ecr. rewrite Ecr_L by auto. fold L. rewrite Rpow_mult_distr. replace (om ^ 2) with (om * om) by ring.
-    unfold om. rewrite omega_sq by auto. field. lra. }
+    unfold om. rewrite omega_sq by auto. lra. }
   assert (R0 : 0 < rate m1 m2 a2) by (unfold rate; pose proof PI_RGT_0; positive).
     apply root_law; [positive|positive| |].
   - intros t Hu. apply Rsqr_incr_0_var; [|unfold pk; positive]. rewrite !Rsqr_pow2, LO, Pk.
-    unfold Rdiv. apply Rmult_le_compat_r; [positive|]. pose proof (Up t Hu). lra.
-  - pose proof (sharp_law m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H Up) as Sh. fold Ecr in Sh.
+    apply Rmult_le_compat_r; [positive|]. pose proof (Up t Hu). lra.
+  - pose proof (sharp_law m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H Up) as Sh.
     apply is_lim_ext_loc with (fun t => / ((m1 + m2) * (L * om)) * (t * (E t - Ecr))).
     + exists 0. intros t Hu. rewrite LO, Pk. field. repeat split; lra.
     + replace (Finite (L * om * rate m1 m2 a2 / 2)) with (Rbar_mult (/ ((m1 + m2) * (L * om))) (Ecr * rate m1 m2 a2)).
@@ -233,22 +218,18 @@ Lemma peaks_from_ray e : (forall t, 0 <= t -> Ecr < E t) -> 0 < e -> exists N, f
     Rabs (t * (Rabs (v1 t) - L * om) - L * om * rate m1 m2 a2 / 2) <= e.
 Proof.
   intros Up He. assert (Law := peak_law Up). apply is_lim_spec in Law. destruct (Law (mkposreal e He)) as (T & LT).
-    clear Law.
   assert (K1 := tm_inf m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp). apply is_lim_seq_spec in K1. destruct (K1 T) as (N1 & Q1').
-    clear K1. assert (K2 := level_to_zero m1 m2 Hm1 Hm2 p Hp). apply is_lim_seq_spec in K2.
-  destruct (K2 (mkposreal (1 / 2) ltac:(lra))) as (N2 & Q2'). clear K2.
-  exists (Nat.max N1 N2). intros n Hn. specialize (Q1' n ltac:(lia)). specialize (Q2' n ltac:(lia)).
-    change (T < tm n) in Q1'.
-  change (Rabs (hh (ph n) ^ 2 - 0) < 1 / 2) in Q2'. rewrite Rminus_0_r in Q2'. apply Rabs_def2 in Q2'.
-  pose proof (depth_upper _ (P n)) as D. pose proof (depth_pos _ (P n)) as D0. destruct (slip_motion n) as (Xs & _).
-  assert (Q1 : q <= 1) by (unfold q; undivide (m1 + m2); lra).
+  assert (K2 := level_to_zero m1 m2 Hm1 Hm2 p Hp). apply is_lim_seq_spec in K2.
+  destruct (K2 (mkposreal (1 / 2) ltac:(lra))) as (N2 & Q2'). exists (Nat.max N1 N2). intros n Hn.
+  specialize (Q1' n ltac:(lia)). specialize (Q2' n ltac:(lia)). change (T < tm n) in Q1'.
+  change (Rabs (hh (ph n) ^ 2 - 0) < 1 / 2) in Q2'. apply Rabs_def2 in Q2'. pose proof (depth_upper _ (P n)) as D.
+  destruct (slip_motion n) as (Xs & _). assert (Q1 : q <= 1) by (unfold q; undivide (m1 + m2); lra).
   pose proof (T0 n). pose proof (lasts n) as Sn. destruct (leaves (S n)) as (Xe & _). fold L in Xe.
   assert (KK : side (S n) = - side n) by (unfold side; simpl; ring). rewrite KK in Xe.
   destruct (cont_IVT (fun t => side n * x t) (tm n + sl n) (tm (S n))) as (t & Hu & Z).
   { apply cont_scal, (s_cx _ _ _ _ _ _ _ _ _ H). }
   { lra. }
-  { rewrite Xs. replace (side n * x (tm (S n))) with (- L) by lra. assert (0 < 1 - q * depth (ph n)) by nra.
-    assert (0 < L * (1 - q * depth (ph n))) by positive. nra. }
+  { replace (side n * x (tm (S n))) with (- L) by lra. assert (0 < 1 - q * depth (ph n)) by nra. nra. }
   assert (Xt : x t = 0) by (destruct (sides n) as [Ek|Ek]; rewrite Ek in Z; lra). destruct (sticks n t Hu) as (Ev & _).
   assert (Et : E t = (m1 + m2) * v1 t ^ 2 / 2) by (unfold E, energy; rewrite Xt, <- Ev; field).
   assert (Vt : Rabs (v1 t) = pk t).
@@ -269,8 +250,7 @@ Proof.
       assert (I2 : (h * cos th - sin th) ^ 2 <= h ^ 2 + 1).
       { replace (h ^ 2 + 1) with ((h ^ 2 + 1) * (sin th * sin th + cos th * cos th)) by (rewrite SC; ring).
         pose proof (pow2_ge_0 (h * sin th + cos th)). nra. }
-      pose proof (pow2_ge_0 h). apply Rle_trans with (2 * Ecr * q * (h ^ 2 + 1)); [apply Rmult_le_compat_l;
-        [positive|auto]|]. assert (Ecr * q <= Ecr * 1) by scale. nra.
+      apply Rle_trans with (2 * Ecr * q * (h ^ 2 + 1)); [apply Rmult_le_compat_l; [positive|auto]|]. nra.
   + rewrite Vt. apply Rlt_le. exact (LT t ltac:(lra)).
 Qed.
 End FromRay.
@@ -282,24 +262,19 @@ Theorem fades ta : 0 <= ta -> v1 ta = v2 ta -> - L <= x ta <= L -> 16 * (m2 / (m
   Ecr < e -> h <= PI / 2 -> sticks_and_slips ta (fastest h) v1 v2 /\
     forall t, 0 <= t -> Ecr < energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Proof.
-  intros Ht Ev Hx Hr e h He Hh. assert (D : 0 < (e / Ecr - 1) / q).
-  { apply Rdiv_lt_0_compat; auto. apply Rmult_lt_reg_l with Ecr; auto.
-    replace (Ecr * (e / Ecr - 1)) with (e - Ecr) by (field; lra). lra. }
-  assert (H0 : 0 < h) by (apply sqrt_lt_R0; auto). assert (H2 : h * h = (e / Ecr - 1) / q) by (apply sqrt_sqrt; lra).
-  destruct (half_spec h H0) as (Hp & Ep). set (p := half h) in *. pose proof PI_RGT_0 as P0.
+  intros Ht Ev Hx Hr e h He Hh. destruct (level_push m1 m2 a2 b Hm1 Hm2 Ha2 Hb e He) as (H0 & Ee).
+  destruct (half_spec h H0) as (Hp & Ep). set (p := half h) in *.
   assert (Pp : p <= PI / 2) by (apply hh_le; [lra|lra|rewrite Ep, hh_half_pi; lra]). assert (Ok : ok m1 m2 p).
   { split; [lra|]. apply (stays_above _ p (PI / 2)); [lra|lra|lra|]. rewrite hh_half_pi. unfold depth.
-    rewrite sin_PI2, cos_PI2. replace (2 * (1 - PI / 2 * 0) / 1) with 2 by field. lra. }
-  destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H ta h Ht Ev Hx H0) as (k & t0 & Hk & T0 & HR & St).
-  { change (e = Ecr * (1 + q * h ^ 2)). replace (h ^ 2) with (h * h) by ring. rewrite H2. field. lra. }
+    rewrite sin_PI2, cos_PI2. lra. }
+  destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H ta h Ht Ev Hx H0 Ee) as (k & t0 & Hk & T0 & HR & St).
   rewrite <- Ep in HR. destruct (slips_fade k t0 p Hk ltac:(lra) Ok HR)
     as (te & tau & Z & Or & Li & Sk & Sl & Sp & Fa).
-  split; [|exact (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk ltac:(lra) Ok HR)].
-  exists te, tau. rewrite Z, <- Ep. split; [lra|]. split; [auto|]. split; [auto|].
-    split; [intros r Hr'; apply St; lra|]. split; [exact Sk|]. split; [exact Sl|].
-  split; [auto|]. intros r Hr'. destruct (Rle_dec t0 r); [apply Fa; auto|].
+  split; [|exact (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk ltac:(lra) Ok HR)]. exists te, tau.
+  rewrite <- Ep. split; [lra|]. split; [auto|]. split; [auto|]. split; [intros r Hr'; apply St; lra|].
+  split; [exact Sk|]. split; [exact Sl|]. split; [auto|]. intros r Hr'. destruct (Rle_dec t0 r); [apply Fa; auto|].
   destruct (St r ltac:(lra)) as (Eq & _). rewrite Eq, Rminus_diag_eq, Rabs_R0 by auto.
-    apply Rle_trans with (2 := Fa t0 (Rle_refl t0)). apply Rabs_pos.
+  apply Rle_trans with (2 := Fa t0 (Rle_refl t0)). apply Rabs_pos.
 Qed.
 
 (** [peaks-fall] Where a motion never merges, the peaks of $|v_1|$ between entries tend to $L\Omega$ like $1/t$: at

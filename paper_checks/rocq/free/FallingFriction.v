@@ -21,13 +21,11 @@ Proof.
     Rdiv_lt_0_compat; nra. }
   assert (PK : 0 < p K).
   { assert (E : m1 * m2 * K = m1 * m2 + (- f' * M - f' * a1 - f' * a2)) by (unfold K; field; lra).
-    assert (K2 : 1 <= K ^ 2) by nra. assert (KK : K <= K ^ 2) by nra. assert (0 <= a1 * m2 * K ^ 2) by positive.
-    assert (0 <= a2 * m2 * K) by positive.
+    assert (KK : K <= K ^ 2) by nra. assert (0 <= a1 * m2 * K ^ 2) by positive. assert (0 <= a2 * m2 * K) by positive.
     assert (f' * a1 * K ^ 2 <= f' * a1 * K) by (assert (f' * a1 <= 0) by nra; nra).
     assert (f' * a2 * K ^ 2 <= f' * a2) by (assert (f' * a2 <= 0) by nra; nra).
-    replace (p K) with (m1 * m2 * K * K ^ 2 + (a1 * m2 + f' * M) * K ^ 2 + (a2 * m2 + f' * a1) * K + f' * a2) by (unfold
-      p; ring).
-    rewrite E. assert (0 < m1 * m2 * K ^ 2) by nra. lra. }
+    replace (p K) with (m1 * m2 * K * K ^ 2 + (a1 * m2 + f' * M) * K ^ 2 + (a2 * m2 + f' * a1) * K + f' * a2)
+      by (unfold p; ring). rewrite E. assert (0 < m1 * m2 * K ^ 2) by nra. lra. }
   assert (Cp : continuity p) by (unfold p; reg). destruct (IVT p 0 K Cp ltac:(lra) P0 PK) as (l & Hl & Z).
   assert (L0 : 0 < l) by (destruct (Req_dec l 0) as [->|]; lra).
   exists l, (m2 * l + f'), (l * (m2 * l + f')), (f' * l). split; [auto|]. split; [nra|]. intros t.
@@ -48,13 +46,12 @@ Theorem sticks_left_at_will x0 v0 : bk < Rabs (stick_load m1 m2 0 a2 x0 v0) < bs
     v0 /\
     (forall t, 0 <= t <= T -> v1 t = v2 t) /\ exists d, 0 < d /\ forall t, T < t < T + d -> v1 t <> v2 t.
 Proof.
-  intros Hl. destruct (existence m1 m2 0 a2 bs x0 v0 v0 Hm1 Hm2 (Rle_refl 0) Ha2 ltac:(lra)) as (x & v1 & v2 & s & H &
-    X0 & V0 & W0). set (c := m2 * a2 / (m1 + m2)). assert (Cp : 0 < c) by (unfold c; positive).
+  intros Hl. destruct (existence m1 m2 0 a2 bs x0 v0 v0 Hm1 Hm2 (Rle_refl 0) Ha2 ltac:(lra))
+    as (x & v1 & v2 & s & H & X0 & V0 & W0). set (c := m2 * a2 / (m1 + m2)). assert (Cp : 0 < c) by positive.
   assert (Load : forall x v, Rabs (stick_load m1 m2 0 a2 x v) = c * Rabs x).
   { intros y v. unfold stick_load. replace (- (m2 * (a2 * y + 0 * v)) / (m1 + m2)) with (- (c * y)) by (unfold c; field;
     lra). rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq; lra. }
   rewrite Load in Hl. set (e := Rmin (c * Rabs x0 - bk) (bs - c * Rabs x0)).
-  assert (He : 0 < e) by (unfold e; positive).
   destruct (Dini.cont_abs _ (s_cx _ _ _ _ _ _ _ _ _ H) 0 (Rle_refl 0) (e / c)) as (D & HD & Near); [positive|].
   assert (Between : forall t, 0 <= t < D -> bk < c * Rabs (x t) < bs).
   { intros t Ht. specialize (Near t ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)). rewrite X0 in Near.

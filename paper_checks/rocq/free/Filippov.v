@@ -123,11 +123,10 @@ Proof.
   pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H) as Cx. pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H) as Cv.
   set (P := fun t => m1 * v1 t + b * s t - U t). set (p := fun t => - (a2 * x t + a1 * v1 t)).
   assert (Cp : cont p) by (apply cont_opp, cont_plus; apply cont_scal; auto).
-  assert (CP : cont P).
-  { apply cont_minus; [apply cont_plus; apply cont_scal; auto; exact (moves_cs m1 m2 a1 a2 b _ _ _ _ _ _
-      (forced_moving m1 m2 a1 a2 b _ _ _ _ _ H))|exact (f_cU _ _ _ _ _ _ _ _ _ _ H)]. }
+  assert (CP : cont P) by (apply cont_minus; [apply cont_plus; apply cont_scal; auto; exact (moves_cs m1 m2 a1 a2 b _ _
+    _ _ _ _ (forced_moving m1 m2 a1 a2 b _ _ _ _ _ H))|exact (f_cU _ _ _ _ _ _ _ _ _ _ H)]).
   assert (AP : ac P) by exact (ac_of_rderiv P p CP Cp (f_v1 _ _ _ _ _ _ _ _ _ _ H)). assert (As : ac s). { apply ac_lip.
-  exists 1. split; [lra|]. intros r t Hr _. rewrite Rmult_1_l. apply (f_lip _ _ _ _ _ _ _ _ _ _ H); auto. }
+    exists 1. split; [lra|]. intros r t Hr _. rewrite Rmult_1_l. apply (f_lip _ _ _ _ _ _ _ _ _ _ H); auto. }
   assert (A2 : ac v2). { apply ac_ext with (fun t => v2 0 - b / m2 * s 0 + b / m2 * s t);
     [intros; symmetry; apply v2_by_s; auto|]. apply ac_plus; [apply ac_const|apply ac_scal; auto]. }
   assert (Eg : forall t, 0 <= t -> / m1 * (P t + U t) - (v2 0 - b / m2 * s 0) = g t).
@@ -152,7 +151,7 @@ Qed.
 Lemma near t e : 0 < t -> continuous u t -> 0 < e -> exists d, 0 < d <= t /\
   forall p q, t - d < p <= q -> q < t + d -> (kap * load t - e) * (q - p) <= g q - g p <= (kap * load t + e) * (q - p).
 Proof.
-  intros Ht Cu He. assert (Kp : 0 < kap) by (unfold kap; positive). assert (Hek : 0 < e / kap) by positive.
+  intros Ht Cu He. assert (Kp : 0 < kap) by positive. assert (Hek : 0 < e / kap) by positive.
   destruct (load_near m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 U u x v1 v2 s t H ltac:(lra) (fun _ => True) (e / kap) Hek)
     as (d & Hd & K).
   { intros r Hr. destruct (proj1 (filterlim_locally u (u t)) Cu (mkposreal r Hr)) as ((d & Hd) & K). exists d.
@@ -180,8 +179,8 @@ Proof.
   { intros e He. destruct (Req_dec p q) as [->|Ne].
     { replace (s q - s q - k * (q - q)) with 0 by ring. rewrite Rabs_R0. lra. }
     set (d := Rmin (q - p) e / 2). pose proof (Rmin_l (q - p) e). pose proof (Rmin_r (q - p) e).
-    assert (0 < Rmin (q - p) e) by (apply Rmin_glb_lt; lra). pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _
-      (forced_moving m1 m2 a1 a2 b _ _ _ _ _ H) (p + d) q k ltac:(unfold d; lra) Hk) as I.
+    assert (0 < Rmin (q - p) e) by positive. pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ (forced_moving m1 m2 a1
+      a2 b _ _ _ _ _ H) (p + d) q k ltac:(unfold d; lra) Hk) as I.
     specialize (I ltac:(intros r Hr; apply W; unfold d in *; lra)).
     pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H p (p + d) ltac:(unfold d; lra)) as Li. apply Rabs_inv in Li. unfold d in *.
     apply Rabs_le. destruct Hk; subst k; lra. }
@@ -193,7 +192,7 @@ Qed.
 Lemma stuck_rate t : 0 < t -> continuous u t -> w t = 0 -> (forall d, 0 < d -> exists r, t - d < r < t /\ w r = 0) ->
   Rabs (load t) <= b /\ is_derive w t 0.
 Proof.
-  intros Ht Cu W Cr. assert (Kp : 0 < kap) by (unfold kap; positive).
+  intros Ht Cu W Cr. assert (Kp : 0 < kap) by positive.
   assert (Cw : cont w) by exact (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H).
   assert (Li : forall p q, 0 <= p <= q -> - (q - p) <= s q - s p <= q - p)
     by (intros; apply Rabs_inv, (f_lip _ _ _ _ _ _ _ _ _ _ H); auto).
@@ -202,7 +201,7 @@ Proof.
   { apply Rnot_lt_le. intros G. set (e := kap * (Rabs (load t) - b) / 2).
     assert (He : 0 < e) by (unfold e; assert (0 < kap * (Rabs (load t) - b)) by (apply Rmult_lt_0_compat; lra); lra).
     destruct (near t e Ht Cu He) as (d & Hd & K). destruct (Cr d ltac:(lra)) as (r & Hr & Wr).
-    specialize (K r t ltac:(lra) ltac:(lra)). rewrite Gs, W, Wr in K. specialize (Li r t ltac:(lra)).
+    specialize (K r t ltac:(lra) ltac:(lra)). rewrite Gs in K. specialize (Li r t ltac:(lra)).
     assert (kap * b * - (t - r) <= kap * b * (s t - s r)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos|]; lra).
     assert (kap * b * (s t - s r) <= kap * b * (t - r)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos|]; lra).
     unfold e, Rabs in *. destruct (Rcase_abs (load t)); nra. }
@@ -210,8 +209,8 @@ Proof.
   destruct (Cr d ltac:(lra)) as (z & Hz & Wz). exists (t - z). split; [lra|]. intros q Hq. rewrite W.
   replace (w q - 0 - 0 * (q - t)) with (w q) by ring.
   destruct (Req_dec (w q) 0) as [->|Nq]; [rewrite Rabs_R0; pose proof (Rabs_pos (q - t)); nra|].
-  assert (exists k, (k = 1 \/ k = -1) /\ 0 < k * w q) as (k & Hk & Wq).
-  { destruct (Rlt_dec 0 (w q)); [exists 1|exists (-1)]; split; auto; lra. }
+  assert (exists k, (k = 1 \/ k = -1) /\ 0 < k * w q) as (k & Hk & Wq)
+    by (destruct (Rlt_dec 0 (w q)); [exists 1|exists (-1)]; split; auto; lra).
   replace (Rabs (w q)) with (k * w q) by (destruct Hk; subst k; [rewrite Rabs_pos_eq|rewrite Rabs_left]; lra).
   assert (A : k * load t <= b) by (apply Rabs_inv in Bd; destruct Hk; subst k; lra).
   set (y := kap * (k * load t - b)). assert (Y : y <= 0).
@@ -238,7 +237,7 @@ Qed.
 Lemma motion_included t : 0 < t -> continuous u t ->
   (w t = 0 -> forall d, 0 < d -> exists r, t - d < r < t /\ w r = 0) -> included u x v1 v2 t.
 Proof.
-  intros Ht Cu Cr. assert (Kp : 0 < kap) by (unfold kap; positive).
+  intros Ht Cu Cr. assert (Kp : 0 < kap) by positive.
   assert (Sd : exists j, is_derive s t j /\ -1 <= j <= 1 /\ (0 < w t -> j = 1) /\ (w t < 0 -> j = -1)).
   { destruct (Req_dec (w t) 0) as [W|N].
     - destruct (stuck_rate t Ht Cu W (Cr W)) as (Bd & Dw). exists (load t / b). apply Rabs_inv in Bd.
@@ -246,12 +245,11 @@ Proof.
       apply (derive_near (fun r => / (kap * b) * (g r - w r)) s t 1); [lra|intros; unfold g; field; lra|].
       replace (load t / b) with (/ (kap * b) * minus (kap * load t) 0) by (unfold minus, plus, opp; simpl; field; lra).
       apply (is_derive_scal (fun r => g r - w r)), (is_derive_minus g w); [apply derive_g|]; auto.
-    - assert (exists k, (k = 1 \/ k = -1) /\ 0 < k * w t) as (k & Hk & Wt).
-      { destruct (Rlt_dec 0 (w t)); [exists 1|exists (-1)]; split; auto; lra. }
-      exists k. split; [|destruct Hk; subst k; lra].
-      pose proof (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H) as Cw.
-      destruct (cont_scal k _ Cw t ltac:(lra) _ Wt) as (d & Hd & K). set (d' := Rmin d t / 2).
-      pose proof (Rmin_l d t). pose proof (Rmin_r d t). assert (0 < Rmin d t) by (apply Rmin_glb_lt; lra).
+    - assert (exists k, (k = 1 \/ k = -1) /\ 0 < k * w t) as (k & Hk & Wt)
+        by (destruct (Rlt_dec 0 (w t)); [exists 1|exists (-1)]; split; auto; lra). exists k.
+      split; [|destruct Hk; subst k; lra]. pose proof (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H) as Cw.
+      destruct (cont_scal k _ Cw t ltac:(lra) _ Wt) as (d & Hd & K). set (d' := Rmin d t / 2). pose proof (Rmin_l d t).
+      pose proof (Rmin_r d t). assert (0 < Rmin d t) by positive.
       apply (derive_near (fun r => s (t - d') + k * (r - (t - d'))) s t d'); [unfold d'; lra| |auto_derive; auto; ring].
       intros r Hr. rewrite <- (whole_impulse k (t - d') r Hk); [ring|unfold d' in *; lra|].
       intros q Hq. specialize (K q ltac:(unfold d' in *; lra) ltac:(apply Rabs_def1; unfold d' in *; lra)).
@@ -275,9 +273,9 @@ Qed.
 (** Every motion under a force that is continuous at almost all times is a Filippov solution. *)
 Theorem forced_filippov : almost (continuous u) -> filippov u x v1 v2.
 Proof.
-  intros Cu. destruct motion_ac as (Ax & A1 & A2 & _). repeat (split; [auto|]).
-  apply (almost_impl (fun t => (0 < t /\ continuous u t) /\ (w t = 0 -> forall d, 0 < d -> exists r, t - d < r < t /\
-    w r = 0))); [intros t _ ((Ht & Ct) & Cr); apply motion_included; auto|].
+  destruct motion_ac as (Ax & A1 & A2 & _). repeat (split; [auto|]). apply (almost_impl (fun t => (0 < t /\ continuous u
+    t) /\ (w t = 0 -> forall d, 0 < d -> exists r, t - d < r < t /\ w r = 0)));
+    [intros t _ ((Ht & Ct) & Cr); apply motion_included; auto|].
   apply almost_and; [apply almost_and; auto using almost_later|exact (almost_crowded (fun t => w t = 0))].
 Qed.
 End Motion.

@@ -30,4 +30,14 @@ Qed.
 Lemma mirror x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s ->
   solution m1 m2 0 a2 b (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) (fun t => - s t).
 Proof. apply solution_mirror. Qed.
+(** On either side it looks the same. *)
+Lemma sided k x v1 v2 s : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s ->
+  solution m1 m2 0 a2 b (fun t => k * x t) (fun t => k * v1 t) (fun t => k * v2 t) (fun t => k * s t).
+Proof.
+  assert (E : forall f g : R -> R, (forall t, f t = g t) -> f = g)
+    by exact FunctionalExtensionality.functional_extensionality.
+  assert (E1 : forall f : R -> R, (fun t => 1 * f t) = f) by (intros; apply E; intros; ring).
+  assert (E2 : forall f : R -> R, (fun t => -1 * f t) = fun t => - f t) by (intros; apply E; intros; ring).
+  intros [->| ->] H; [rewrite !E1|rewrite !E2]; auto using mirror.
+Qed.
 End Arc.

@@ -54,10 +54,11 @@ Proof.
     change (hh (next m1 m2 (ph i)) ^ 2) with (y (S i)) in En. fold r (y i) in En.
     pose proof (proj1 (cycle_angles m1 m2 a2 Hm1 Hm2 Ha2 (ph i) (Pi i) ltac:(pose proof (Push i); lra))) as Cy.
     change (hh (next m1 m2 (ph i))) with (hh (ph (S i))) in Cy. fold q om in Cy. unfold delay, gain in *.
-    replace (1 - r) with q in * by lra. pose proof (Y i) as Yi. pose proof (Y (S i)) as Y'. pose proof (U i) as Ui. pose proof (U (S i)) as U'.
-    pose proof (depth_pos _ (Pi i)) as C0. set (c := depth (ph i)) in *. set (u := hh (ph i)) in *. set (z := (c / u) ^ 2) in *.
+    replace (1 - r) with q in * by lra. pose proof (Y i) as Yi. pose proof (Y (S i)) as Y'. pose proof (U i) as Ui.
+    pose proof (U (S i)) as U'. set (c := depth (ph i)) in *. set (u := hh (ph i)) in *. set (z := (c / u) ^ 2) in *.
     assert (Z : r * z * y i = r * c ^ 2) by (unfold z, y; fold u; field; lra).
-    assert (Ys : y (S i) = y i * (1 - r * z)) by lra. assert (S0 : 0 < 1 - r * z) by (apply Rmult_lt_reg_l with (y i); lra).
+    assert (Ys : y (S i) = y i * (1 - r * z)) by lra.
+    assert (S0 : 0 < 1 - r * z) by (apply Rmult_lt_reg_l with (y i); lra).
     assert (Ru : sqrt (y i) = u) by (apply sqrt_pow2; lra). assert (Ru' : sqrt (y (S i)) = u * sqrt (1 - r * z)).
     { rewrite Ys, sqrt_mult_alt, Ru by lra. auto. }
     assert (Eu : hh (ph (S i)) = u * sqrt (1 - r * z)) by (rewrite <- Ru'; symmetry; apply sqrt_pow2; lra). rewrite Eu in Cy.
@@ -84,12 +85,11 @@ Proof.
       rewrite L. set (t' := tim m1 m2 a2 t0 p i) in *. set (R' := C / (q * y i) + _ - _) in IH.
       replace (C / (q * y (S i)) + PI * B * (ln (y (S i) / y i) + ln (y i / y0)) - (C / (q * y0) + om * (t' + cyc m1 m2 a2 (ph i) - t0)))
         with (R' + (PI * gain r (ph i) - delay r (ph i))) by (rewrite <- E; unfold R'; ring). lra. }
-  pose proof (Sum n) as Sn. cbv zeta in Sn. rewrite <- (W n), <- W0 in Sn. fold t in Sn.
+  pose proof (Sum n) as Sn. rewrite <- (W n), <- W0 in Sn. fold t in Sn.
   assert (Yn : 0 < y n <= y0). { split; [apply Y|]. apply pow_incr. pose proof (Push n). pose proof (U n). lra. }
   assert (Sq : 0 < sqrt (y n) <= sqrt y0) by (split; [positive|apply sqrt_le_1_alt; lra]).
   replace (w t / w t0) with (y n / y0) by (unfold t; rewrite W, W0; field; split; lra). set (R' := C / w t + _ - _) in *.
   assert (lo * y0 <= lo * (y0 - y n)) by nra. assert (hi * (y0 - y n) <= hi * y0) by nra.
-  assert (long * (sqrt y0 - sqrt (y n)) <= long * sqrt y0) by nra.
-  split; [apply Rle_div_l|]; lra.
+  assert (long * (sqrt y0 - sqrt (y n)) <= long * sqrt y0) by nra. split; [apply Rle_div_l|]; lra.
 Qed.
 End Law.

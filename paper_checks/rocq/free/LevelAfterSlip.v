@@ -17,7 +17,7 @@ Definition parabola p D := hh p ^ 2 - 2 * (1 - hh p * ct p) * D + (ct p ^ 2 + q)
 Definition least p := hh p ^ 2 - (1 - hh p * ct p) ^ 2 / (ct p ^ 2 + q).
 
 Lemma leading_pos p : 0 < ct p ^ 2 + q.
-Proof. pose proof (pow2_ge_0 (ct p)). lra. Qed.
+Proof. nra. Qed.
 
 (** the parabola is its least value and a square *)
 Lemma parabola_least p D : least p <= parabola p D.
@@ -36,10 +36,9 @@ Lemma parabola_rises p D : 0 < p < PI -> 1 <= ct p ^ 2 + 2 * q -> depth p <= D -
   hh p ^ 2 - r * depth p ^ 2 <= parabola p D.
 Proof.
   intros Hp Hk HD. rewrite <- parabola_ray by auto. pose proof (half_depth p Hp) as I. pose proof (depth_pos p Hp) as C.
-  pose proof (pow2_ge_0 (ct p)). unfold parabola. rewrite <- I. set (c := depth p) in *. set (k2 := ct p ^ 2) in *.
-  assert (0 <= (D - c) * ((k2 + q) * (D - c) + c * (k2 + 2 * q - 1))); [|lra].
-  apply Rmult_le_pos; [lra|]. assert (0 <= (k2 + q) * (D - c)) by positive.
-  assert (0 <= c * (k2 + 2 * q - 1)) by positive. lra.
+  unfold parabola. rewrite <- I. set (c := depth p) in *. set (k2 := ct p ^ 2) in *.
+  assert (0 <= (D - c) * ((k2 + q) * (D - c) + c * (k2 + 2 * q - 1))); [|lra]. apply Rmult_le_pos; [lra|].
+  assert (0 <= (k2 + q) * (D - c)) by positive. assert (0 <= c * (k2 + 2 * q - 1)) by positive. lra.
 Qed.
 
 (** the least value at the angle where k^2 + 2 q = 1 *)
@@ -59,22 +58,22 @@ Proof.
   - repeat split; [eexists; exact H|eexists; exact H|eexists; exact C|eexists; exact C|lra].
   - replace (Derive (fun x => hh x) p) with (depth p * (1 + ct p ^ 2)) by (symmetry; apply is_derive_unique; exact H).
     replace (Derive (fun x => ct x) p) with (- (1 + ct p ^ 2)) by (symmetry; apply is_derive_unique; exact C).
-    unfold slope. set (h := hh p) in *. set (c := depth p) in *. set (k := ct p) in *. clearbody h c k.
-    assert (E : c = 2 * (1 - h * k) / (1 + k ^ 2)) by (rewrite <- I; field; pose proof (pow2_ge_0 k); lra).
-    rewrite E. field. pose proof (pow2_ge_0 k). split; lra.
+    unfold slope. set (h := hh p) in *. set (c := depth p) in *. set (k := ct p) in *.
+    assert (E : c = 2 * (1 - h * k) / (1 + k ^ 2)) by (rewrite <- I; field; pose proof (pow2_ge_0 k); lra). rewrite E.
+    field. split; lra.
 Qed.
 
 (** q h + k = (q p + r sin p cos p)/sin^2 p is positive if r <= PI/(1 + PI) *)
 Lemma push_positive p : r * (1 + PI) <= PI -> 0 < p < PI -> 0 < q * hh p + ct p.
 Proof.
-  intros Hr Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (pow_lt _ 2 S) as S2.
+  intros Hr Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
   replace (q * hh p + ct p) with ((q * p + r * (sin p * cos p)) * / sin p ^ 2) by (unfold hh, ct, r; field; lra).
   apply Rmult_lt_0_compat; [|positive]. unfold r in *. destruct (Rle_dec p (PI / 2)) as [n|n].
-  - pose proof (cos_ge_0 p ltac:(lra) ltac:(lra)). assert (0 <= sin p * cos p) by positive.
-    assert (0 < q * p) by positive. assert (0 <= (1 - q) * (sin p * cos p)) by positive. lra.
+  - pose proof (cos_ge_0 p ltac:(lra) ltac:(lra)). assert (0 < q * p) by positive.
+    assert (0 <= (1 - q) * (sin p * cos p)) by positive. lra.
   - assert (- (1 / 2) <= sin p * cos p).
     { pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. pose proof (pow2_ge_0 (sin p + cos p)). lra. }
-    assert (q * (PI / 2) < q * p) by scale. assert ((1 - q) * (- (1 / 2)) <= (1 - q) * (sin p * cos p)) by scale. lra.
+    assert (q * (PI / 2) < q * p) by nra. assert ((1 - q) * (- (1 / 2)) <= (1 - q) * (sin p * cos p)) by nra. lra.
 Qed.
 
 (** the angle beyond pi/2 with k^2 + 2 q = 1 *)
@@ -94,32 +93,21 @@ Proof.
   { pose proof (parabola_rises p D Hp n HD). pose proof (Rays p Hp). lra. }
   apply Rnot_le_lt in n. pose proof (pow2_ge_0 (ct p)). destruct turn_ex as (t & Ht & Et & Ct); [lra|].
   apply Rlt_le_trans with (least p); [|apply parabola_least]. assert (Pt : p < t).
-  { destruct (Rlt_dec p t) as [|N]; auto. exfalso. assert (C : ct p <= ct t).
-    { destruct (Req_dec p t) as [->|]; [lra|]. apply Rlt_le, ct_falls; lra. }
-    assert ((- ct t) ^ 2 <= (- ct p) ^ 2) by (apply pow_incr; lra). nra. }
+  { apply Rnot_le_lt. intros N.
+    assert (ct p <= ct t) by (destruct (Req_dec p t) as [->|]; [|apply Rlt_le, ct_falls]; lra).
+    nra. }
   assert (Fall : least t <= least p).
   { destruct (MVT_cor2 least slope p t Pt) as (u & E & Hu). { intros u Hu. apply is_derive_Reals, derive_least; lra. }
     assert (U : ct u ^ 2 + 2 * q <= 1).
-    { assert (C1 : ct u < ct p) by (apply ct_falls; lra). assert (C2 : ct t < ct u) by (apply ct_falls; lra).
-      assert (Kt : (- ct t) * (- ct t) = 1 - 2 * q) by (replace (ct t ^ 2) with (ct t * ct t) in Et by ring; lra).
-      assert (Kp : ct p < - ct t). { destruct (Rlt_dec (ct p) (- ct t)) as [|N]; auto. nra. }
-      assert (ct u * ct u <= (- ct t) * (- ct t)) by nra. replace (ct u ^ 2) with (ct u * ct u) by ring. lra. }
+    { pose proof (ct_falls p u ltac:(lra) ltac:(lra) ltac:(lra)).
+      pose proof (ct_falls u t ltac:(lra) ltac:(lra) ltac:(lra)). assert (ct p < - ct t) by nra. nra. }
     assert (slope u <= 0); [|assert (0 <= (- slope u) * (t - p)) by positive; lra].
     pose proof (push_positive u Hr ltac:(lra)). pose proof (depth_pos u ltac:(lra)). pose proof (pow2_ge_0 (ct u)).
-    unfold slope. set (F := depth u * (1 + ct u ^ 2) / (ct u ^ 2 + q) ^ 2). assert (0 < F) by positive.
-    replace (F * (ct u ^ 2 + 2 * q - 1) * (q * hh u + ct u)) with (- (F * (1 - (ct u ^ 2 + 2 * q)) * (q * hh u +
-      ct u))) by ring.
+    unfold slope. set (F := depth u * (1 + ct u ^ 2) / (ct u ^ 2 + q) ^ 2).
     assert (0 <= F * (1 - (ct u ^ 2 + 2 * q)) * (q * hh u + ct u)); [|lra]. apply Rmult_le_pos; [positive|]; lra. }
   rewrite least_at_turn in Fall by lra. pose proof (Rays t ltac:(lra)). lra.
 Qed.
 End Share.
-
-(** PI < 3.53, from three terms of Leibniz's series *)
-Lemma PI_rough : PI * (1 + PI) < 16.
-Proof.
-  pose proof (PI_ineq 1) as (_ & U). unfold tg_alt, PI_tg in U. simpl in U. pose proof PI_RGT_0.
-  assert (PI <= 52 / 15) by lra. nra.
-Qed.
 
 (** [no-low-level] For $m_1/m_2>-\cos 2\varphi^*$: no slip from $S$, whatever its gap and initial speed, ends at or
     below $E_{cr}$. *)
@@ -134,7 +122,6 @@ Proof.
     assert (Q0 : 0 < q) by positive.
   specialize (Up (1 - q) ltac:(lra) Hr). change (0 < parabola q p (depth p + d)). apply above_rays; auto; try lra.
   (* the excursion of half angle pi/2 bounds the share: r < PI^2/16 *)
-  pose proof PI_RGT_0. pose proof PI_rough. specialize (Up (PI / 2) ltac:(lra)). rewrite hh_half_pi in Up.
-  assert (De : depth (PI / 2) = 2) by (unfold depth; rewrite sin_PI2, cos_PI2; field). rewrite De in Up.
-  assert (1 - q < PI ^ 2 / 16) by lra. assert ((1 - q) * (1 + PI) <= PI ^ 2 / 16 * (1 + PI)) by scale. nra.
+   pose proof pi_below. specialize (Up (PI / 2) ltac:(lra)). rewrite hh_half_pi in Up.
+   assert (De : depth (PI / 2) = 2) by (unfold depth; rewrite sin_PI2, cos_PI2; field). nra.
 Qed.

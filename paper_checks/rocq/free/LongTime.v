@@ -126,19 +126,19 @@ Proof.
   assert (T0 : forall n, t0 <= tm n) by (intros; apply tim_start; auto).
   assert (From : forall n j, w (tm n) = q * y n /\
     Rabs (C / w (tm (n + j)%nat) + PI * B * ln (w (tm (n + j)%nat) / w (tm n)) - (C / w (tm n) + om * (tm (n + j)%nat - tm n))) <= ka * sqrt (y n)).
-  { intros n j. assert (Kn : k * (-1) ^ n = 1 \/ k * (-1) ^ n = -1). { induction n as [|n IH]; simpl; [lra|]. destruct IH; [right|left]; lra. }
-    destruct (law_with_error m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H lo hi long Lo Long Bounds _ (tm n) (orb m1 m2 p n) Kn
-      ltac:(pose proof (T0 n); lra) (ok_pi m1 m2 _ (Ok n)) ltac:(pose proof (push_below m1 m2 Hm1 Hm2 p Hok n); lra)
-      (exits m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hok HR n) j) as (Wn & _ & Bd).
+  { intros n j. destruct (law_with_error m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H lo hi long Lo Long Bounds _ (tm n) (orb
+      m1 m2 p n) (sides k n Hk) ltac:(pose proof (T0 n); lra) (ok_pi m1 m2 _ (Ok n)) ltac:(pose proof (push_below m1 m2
+      Hm1 Hm2 p Hok n); lra) (exits m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hok HR n) j) as (Wn & _ & Bd).
     split; [exact Wn|]. fold q r in Bd. fold C B om in Bd. pose proof (proj2 (shifted t0 p n j) : tim m1 m2 a2 (tm n) (orb m1 m2 p n) j = tm (n + j)%nat) as Sh.
-    rewrite Sh in Bd. fold (w (tm (n + j)%nat)) (w (tm n)) in Bd.
-    change (hh (orb m1 m2 p n) ^ 2) with (y n) in Bd. pose proof (Y n) as Yn. set (z := sqrt (y n)) in *.
+    rewrite Sh in Bd. fold (w (tm (n + j)%nat)) (w (tm n)) in Bd. change (hh (orb m1 m2 p n) ^ 2) with (y n) in Bd.
+    pose proof (Y n) as Yn. set (z := sqrt (y n)) in *.
     assert (Z : 0 < z <= 1) by (unfold z; split; [positive|rewrite <- sqrt_1; apply sqrt_le_1_alt; lra]).
     assert (Z2 : z * z = y n) by (apply sqrt_sqrt; lra). assert (Yz : y n <= z) by nra.
     assert (E1 : - ((- lo + long) / r * z) <= (lo * y n - long * z) / r).
     { replace (- ((- lo + long) / r * z)) with ((lo * z - long * z) / r) by (field; lra). apply Rmult_le_compat_r; [positive|]. nra. }
-    assert (E2 : hi * y n <= hi * z) by scale. assert (0 <= hi * z) by positive. assert (0 <= (- lo + long) / r * z).
-    { apply Rmult_le_pos; [apply Rdiv_le_0_compat|]; lra. } unfold ka. apply Rabs_le. split; lra. }
+    assert (E2 : hi * y n <= hi * z) by scale. assert (0 <= hi * z) by positive.
+    assert (0 <= (- lo + long) / r * z) by (apply Rmult_le_pos; [apply Rdiv_le_0_compat|]; lra). unfold ka.
+    apply Rabs_le. split; lra. }
   assert (W : forall n, w (tm n) = q * y n) by (intros n; apply (From n O)).
   assert (Wp : forall n, 0 < w (tm n)) by (intros n; rewrite W; apply Rmult_lt_0_compat; [auto|apply Y]).
   assert (W0 : 0 < w t0) by exact (Wp O).

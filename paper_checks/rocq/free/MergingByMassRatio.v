@@ -1,9 +1,8 @@
 (** Who merges from S0, for every mass ratio, without a hypothesis on re-entries.
 
-    For m1/m2 <= - cos (2 phi* ) the energies on S0 that merge at the first re-entry are exactly one closed
-      interval above
-    E_cr. For m1/m2 > - cos (2 phi* ) nothing that has touched S above E_cr ever merges: not after the first slip,
-      nor after any later one. *)
+    For m1/m2 <= - cos (2 phi* ) the energies on S0 that merge at the first re-entry are exactly one closed interval
+    above E_cr. For m1/m2 > - cos (2 phi* ) nothing that has touched S above E_cr ever merges: not after the first
+    slip, nor after any later one. *)
 From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap TurningFunction FollowArc Cycle
   ExitOrbit SharpRate SharpLaw SlipFromGap AlternatingAngles AfterOneSlip.
 From InertialPair Require Import LevelAfterSlip ReturnToS0.
@@ -22,7 +21,6 @@ Let q := m1 / (m1 + m2).
 Let o1 := o1 m1 a2.
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
-Let q0 : 0 < q. Proof. apply q_pos; auto. Qed.
 Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
 Let O0 : 0 < o1. Proof. apply o1_pos; auto. Qed.
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
@@ -38,18 +36,13 @@ Lemma round t0 : above t0 -> exists k te p t, (k = 1 \/ k = -1) /\ t0 <= te /\ 0
   (forall t', t0 <= t' <= te -> v1 t' = v2 t' /\ - L <= x t' <= L) /\ on_ray m1 m2 a2 b k (hh p) x v1 v2 te /\
   first_reentry L x v1 v2 te t /\ te + 2 * p / o1 <= t.
 Proof.
-  intros (Ht & Ev & Hx & HE). assert (EQ : 0 < Ecr * q) by positive.
-  assert (U : 0 < (E t0 - Ecr) / (Ecr * q)) by positive. destruct (half_ex _ (sqrt_lt_R0 _ U)) as (p & Hp & Hu).
-  assert (En : E t0 = Ecr * (1 + q * hh p ^ 2)).
-  { rewrite Hu. replace (sqrt ((E t0 - Ecr) / (Ecr * q)) ^ 2)
-      with (sqrt ((E t0 - Ecr) / (Ecr * q)) * sqrt ((E t0 - Ecr) / (Ecr * q))) by ring.
-    rewrite sqrt_sqrt by lra. field. lra. }
+  intros (Ht & Ev & Hx & HE). destruct (level_push m1 m2 a2 b Hm1 Hm2 Ha2 Hb _ HE) as (U & En).
+  destruct (half_ex _ U) as (p & Hp & Hu). rewrite <- Hu in En. fold q Ecr in En.
   destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t0 (hh p) Ht Ev Hx (hh_pos p Hp) En) as (k & te & Hk & Te
-    & HR & St).
-  destruct (returns m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k 0 (hh p) te Hk ltac:(lra)
-    (or_intror (conj eq_refl (hh_pos p Hp))) (proj1 (ray_gap m1 m2 a2 b k (hh p) x v1 v2 te) HR)) as (t & F).
+    & HR & St). destruct (returns m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k 0 (hh p) te Hk ltac:(lra) (or_intror (conj
+    eq_refl (hh_pos p Hp))) (proj1 (ray_gap m1 m2 a2 b k (hh p) x v1 v2 te) HR)) as (t & F).
   exists k, te, p, t. split; [exact Hk|]. split; [lra|]. split; [exact Hp|]. split; [exact En|].
-    split; [exact St|]. split; [exact HR|]. split; [exact F|].
+  split; [exact St|]. split; [exact HR|]. split; [exact F|].
   destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k te p Hk ltac:(lra) Hp HR) as (Sg & Ec & _).
   assert (T0 : 0 < 2 * p / o1) by positive. apply (contact_first L x v1 v2 te); auto.
   split; [fold o1; lra|]. split; [|exact Ec]. intros t' Hu' Q. specialize (Sg t' Hu'). rewrite Q in Sg. lra.
@@ -104,10 +97,8 @@ Lemma reentry_above t0 t : first_reentry L x v1 v2 t0 t -> forall k d u, k = 1 \
   (0 < d \/ (d = 0 /\ 0 < u)) -> at_gap m1 m2 a2 b k d u x v1 v2 t0 -> above t.
 Proof.
   induction 1 as [t0 t1 C I|t0 t1 t C O F IH]; intros k d u Hk Ht Hd HG.
-  all: assert (Ang : exists p, 0 < p < PI /\ push d p = u)
-    by (destruct Hd as [D|(-> & U)]; [destruct (push_root d u D) as (p & P & _)|destruct (half_ex u U) as (p & P1
-      & P2)]; [exists p; auto|exists p; rewrite push_0; auto]).
-  all: destruct Ang as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1) by positive.
+  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1)
+    by positive.
   all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & Sg & A & B & V & En);
     fold o1 in Sg, A, B, V, En.
   all: assert (T : t1 = t0 + 2 * p / o1) by (apply (contact_unique v1 v2 t0); auto; split; [lra|split;

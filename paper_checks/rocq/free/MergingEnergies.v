@@ -1,42 +1,8 @@
 (** Who merges from S0 when it first meets S after it left S0, and who at the first re-entry of S0,
     after any number of crossings: exactly the energies of one and the same closed interval above E_cr,
     whose ends are the two roots of hh = sqrt r depth. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle ExitOrbit SharpRate
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle SlipFromGap ExitOrbit SharpRate
   MergingAngles AfterOneSlip AlternatingSlips KappaBound ReturnToS0 MergingByMassRatio MergingIff.
-
-Section Roots.
-Context (ps : R) (Hps : 0 < ps < PI) (Z : K ps = 0).
-
-Lemma turning_signs : (forall u, 0 < u < ps -> 0 < K u) /\ (forall u, ps < u <= PI -> K u < 0).
-Proof.
-  destruct root as (p0 & Hp0 & _ & Le & Ri). assert (p0 = ps) as ->; [|auto].
-  destruct (Rtotal_order ps p0) as [Lt|[|Gt]]; auto; [specialize (Le ps ltac:(lra))|specialize (Ri ps ltac:(lra))]; lra.
-Qed.
-
-(** a root of hh = g depth has the ratio g *)
-Lemma ratio_of p g : 0 < p < PI -> (hh p = g * depth p <-> ratio p = g).
-Proof.
-  intros Hp. pose proof (depth_pos p Hp). unfold ratio. split; intros E; [rewrite E; field; lra|]. rewrite <- E. field.
-    lra.
-Qed.
-
-(** on either side of the zero of K there is one root at most *)
-Lemma one_root p p' : 0 < p -> p <= p' -> p' < PI -> p' <= ps \/ ps <= p -> ratio p = ratio p' -> p = p'.
-Proof.
-  intros H0 Le H1 Side E. destruct turning_signs as (Pos & Neg). destruct (Req_dec p p') as [|N]; auto.
-  destruct (ratio_step p p' H0 ltac:(lra) H1) as (Falls & Rises). destruct Side.
-  - pose proof (Falls ltac:(intros; apply Pos; lra)). lra.
-  - pose proof (Rises ltac:(intros; apply Neg; lra)). lra.
-Qed.
-
-(** at the critical mass ratio the zero of K is a root *)
-Lemma critical_root m1 m2 : 0 < m1 -> 0 < m2 -> m1 / m2 = - cos (2 * ps) -> ratio ps = sqrt (m2 / (m1 + m2)).
-Proof.
-  intros H1 H2 E. destruct (ratio_share ps m1 m2 Hps Z H1 H2) as (_ & Q). rewrite E in Q.
-  replace (m2 / (m1 + m2)) with (ratio ps ^ 2) by lra. rewrite sqrt_pow2; [auto|].
-  apply Rlt_le, Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto.
-Qed.
-End Roots.
 
 (** [merging-set] For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at
     equality; the energies on $S_0$ above $E_{cr}$ from the one root to the other, and no others, merge at the first
@@ -66,25 +32,28 @@ Proof.
   assert (R0 : 0 < r) by positive. split.
   { intros Hr p (Hp & E). apply (None Hr p Hp). rewrite E, Rpow_mult_distr, pow2_sqrt by lra. lra. }
   intros Hr. destruct (Some Hr) as (pl & pu & A1 & A2 & A3 & A4 & A5 & A6 & A7 & A8). exists pl, pu.
-  assert (Rl : ratio pl = sqrt r) by (apply ratio_of; auto; lra).
-  assert (Ru : ratio pu = sqrt r) by (apply ratio_of; auto; lra). assert (Only : forall p, root p -> p = pl \/ p = pu).
-  { intros p (Hp & E). apply ratio_of in E; auto. destruct (Rle_dec p ps); [left|right].
-    - destruct (Rle_dec p pl); [|symmetry]; apply (one_root ps Hps Z); lra.
-    - destruct (Rle_dec p pu); [|symmetry]; apply (one_root ps Hps Z); lra. }
+  assert (Only : forall p, root p -> p = pl \/ p = pu).
+  { intros p (Hp & E). assert (hh p ^ 2 = r * depth p ^ 2) by (rewrite E, Rpow_mult_distr, pow2_sqrt; lra).
+    destruct (A8 p Hp) as (In & Inside). pose proof (proj1 In ltac:(lra)). destruct (Req_dec p pl); [auto|right].
+    apply Rle_antisym; [lra|]. apply Rnot_lt_le. intros N. pose proof (proj2 Inside ltac:(lra)). lra. }
   split; [lra|]. split.
   { split; [apply Only|]. intros [->| ->]; split; auto; lra. }
   split; [exact A7|]. split.
-  { intros Eq. pose proof (critical_root ps Hps Z m1 m2 H1 H2 Eq) as Rs. fold r in Rs.
-    transitivity ps; [|symmetry]; [|symmetry]; apply (one_root ps Hps Z); lra. }
+  { (* with two roots the ratio would be less between them than at its least *)
+    intros Eq. apply Rle_antisym; [lra|]. apply Rnot_lt_le. intros N. set (p := (pl + pu) / 2).
+    assert (Hp : 0 < p < PI) by (unfold p; lra). pose proof (proj2 (proj2 (A8 p Hp)) ltac:(unfold p; lra)) as Lt.
+    destruct (ratio_share ps m1 m2 Hps Z H1 H2) as (Rs & Q). rewrite Eq in Q. fold r in Rs, Q.
+    pose proof (ratio_least ps p Hps Z Hp). pose proof (depth_pos p Hp). pose proof (hh_pos ps Hps).
+    assert (0 < ratio ps) by (apply Rdiv_lt_0_compat; auto using depth_pos).
+    replace (hh p) with (ratio p * depth p) in Lt by (unfold ratio; field; lra). rewrite Rpow_mult_distr in Lt.
+    apply Rmult_lt_reg_r in Lt; [nra|positive]. }
   intros a2 b Ha Hb level. pose proof (q_pos m1 m2 H1 H2) as Q0. pose proof (Ecr_pos m1 m2 a2 b H1 H2 Ha Hb) as E0.
   set (q := m1 / (m1 + m2)) in *. set (Ec := Ecr m1 m2 a2 b) in *.
   assert (Inc : forall p p', 0 < p < PI -> 0 < p' < PI -> p < p' -> level p < level p').
-  { intros p p' Hp Hp' Lt. pose proof (hh_incr p p' ltac:(lra) Lt ltac:(lra)). pose proof (hh_pos p Hp).
-    apply Rmult_lt_compat_l; auto. apply Rplus_lt_compat_l, Rmult_lt_compat_l; auto. nra. }
+  { intros p p' Hp Hp' Lt. apply Rmult_lt_compat_l, Rplus_lt_compat_l, Rmult_lt_compat_l, hh_sq; auto. }
   assert (Le : forall p p', 0 < p < PI -> 0 < p' < PI -> (level p <= level p' <-> p <= p')).
-  { intros p p' Hp Hp'. split; intros Q.
-    - destruct (Rle_dec p p') as [|n]; auto. pose proof (Inc p' p Hp' Hp ltac:(lra)). lra.
-    - destruct (Req_dec p p') as [->|]; [lra|]. apply Rlt_le, Inc; auto; lra. }
+  { intros p p' Hp Hp'. pose proof (Inc p p' Hp Hp'). pose proof (Inc p' p Hp' Hp).
+    destruct (Rtotal_order p p') as [L|[->|L]]; split; lra. }
   split.
   { unfold level. pose proof (pow_lt _ 2 (hh_pos pl ltac:(lra))) as P.
     pose proof (Rmult_lt_0_compat _ _ E0 (Rmult_lt_0_compat _ _ Q0 P)). lra. }
@@ -102,7 +71,8 @@ Proof.
   { intros Low. apply (stays_above m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H En0); [|repeat split; auto; lra|fold En0; lra].
     intros k te p t Hk Te Hp HR En F. pose proof (first_reentry_in _ _ _ _ _ _ F) as (T1 & Ev1 & _).
     apply Rnot_le_lt. intros N. pose proof (proj2 (sticks_iff m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t ltac:(lra) Ev1) N) as St.
-    pose proof (proj1 (A8 p Hp) (proj1 (Iff' k te p t Hk Te Hp HR F) St)) as In. pose proof (proj2 (Le pl p ltac:(lra) Hp) (proj1 In)).
+    pose proof (proj1 (proj1 (A8 p Hp)) (proj1 (Iff' k te p t Hk Te Hp HR F) St)) as In.
+    pose proof (proj2 (Le pl p ltac:(lra) Hp) (proj1 In)).
     rewrite (ray_energy m1 m2 a2 b H1 H2 Ha k (hh p) x v1 v2 te Hk HR) in En. fold q Ec in En. unfold level in *. lra. }
   destruct (round m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t0 (conj Ht (conj Ev (conj Hx HE))))
     as (k & te & p & t & Hk & Te & Hp & En & St & HR & F & Tt).
@@ -110,18 +80,12 @@ Proof.
     as (Sg & Ev1 & Ex & _ & Iff & Dp).
   specialize (Iff' k te p t Hk ltac:(lra) Hp HR F). specialize (T0 p ltac:(lra)).
   assert (Between : hh p ^ 2 <= r * depth p ^ 2 <-> level pl <= En0 <= level pu).
-  { rewrite (A8 p Hp). unfold En0. rewrite En. change (Ecr m1 m2 a2 b * (1 + m1 / (m1 + m2) * hh p ^ 2)) with (level p).
-    rewrite !Le by lra. tauto. }
+  { rewrite (proj1 (A8 p Hp)). unfold En0. rewrite En.
+    change (Ecr m1 m2 a2 b * (1 + m1 / (m1 + m2) * hh p ^ 2)) with (level p). rewrite !Le by lra. tauto. }
   exists te, (te + 2 * p / o1 m1 a2), t. split; [lra|]. split; [lra|]. split; [exact St|]. split;
     [|split; [auto|split]].
   - intros t' Ht' E. specialize (Sg t' Ht'). rewrite E in Sg. lra.
   - exact F.
   - rewrite <- Between. split; [exact Iff|]. split; [exact Iff'|]. intros Out Q'. apply Iff' in Q'.
-    pose proof (depth_pos p Hp). assert (0 < q * depth p <= 2).
-    { split; [apply Rmult_lt_0_compat; auto|]. replace 2 with (q * (2 / q)) by (field; lra).
-      apply Rmult_le_compat_l; [lra|auto]. }
-    assert (- L m1 m2 a2 b <= k * x (te + 2 * p / o1 m1 a2) <= L m1 m2 a2 b).
-    { rewrite Ex. change (m1 / (m1 + m2)) with q. set (z := q * depth p) in *.
-      assert (0 <= L m1 m2 a2 b * z) by positive. assert (L m1 m2 a2 b * z <= L m1 m2 a2 b * 2) by scale. lra. }
-    destruct Hk; subst k; lra.
+    apply Out, (lands m1 m2 a2 b H1 H2 Ha Hb k _ 0 p Hk (Rle_refl 0) Hp); rewrite Rplus_0_r; [exact Ex|auto].
 Qed.

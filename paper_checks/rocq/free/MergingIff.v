@@ -48,11 +48,7 @@ Proof.
   - pose proof (contact_unique _ _ _ _ _ C1 C) as T. subst t1. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0.
     pose proof (q_pos m1 m2 Hm1 Hm2) as Q0. assert (Lg : pc < p).
     { apply (crosses_long (m1 / (m1 + m2)) p pc); auto; [lra|]. apply Rnot_le_lt. intros N. apply O1.
-      assert (0 < m1 / (m1 + m2) * depth p <= 2).
-      { pose proof (depth_pos p Hp). split; [apply Rmult_lt_0_compat; auto|].
-        replace 2 with (m1 / (m1 + m2) * (2 / (m1 / (m1 + m2)))) by (field; lra). apply Rmult_le_compat_l; lra. }
-      assert (- L m1 m2 a2 b <= k * x (t0 + 2 * p / o1 m1 a2) <= L m1 m2 a2 b) by (rewrite Ex; split; nra).
-        destruct Hk; subst k; lra. }
+      apply (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ 0 p Hk (Rle_refl 0) Hp); rewrite Rplus_0_r; [exact Ex|lra]. }
     destruct (enter m1 m2 a2 b Hm1 Hm2 Ha2 Hb pc Hpc Dc HK x v1 v2 s H k t0 p Hk Ht Hp HR Lg) as (p' & _ & Cr).
     destruct (after_crossing _ _ F1 ltac:(lra) p' Cr) as (Ht' & Ev' & HE). split; intros Q.
     + exfalso. apply (sticks_iff m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t Ht' Ev') in Q. lra.

@@ -23,11 +23,9 @@ Proof.
   intros H H' Hk Hk' Ht Ht' (X & V & W) (X' & V' & W') (T & HT & St).
   pose proof (solution_later m1 m2 0 a2 b x v1 v2 s t Ht H) as S. pose proof (solution_later m1 m2 0 a2 b x' v1' v2' s' t' Ht' H') as S'.
   assert (Q : forall r, 0 <= r -> v1 (t + r) = v2 (t + r) -> v1' (t' + r) = v2' (t' + r)).
-  { intros r Hr Ev. destruct (Req_dec k k') as [->|N].
-    - destruct (unique m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb _ _ _ _ _ _ _ _ 0 S S' (Rle_refl 0)) with (t := r) as (_ & E1 & E2);
-        rewrite ?Rplus_0_r; auto; [destruct Hk'; subst k'; lra..|lra].
-    - destruct (unique m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb _ _ _ _ _ _ _ _ 0 (mirror m1 m2 a2 b _ _ _ _ S) S' (Rle_refl 0))
-        with (t := r) as (_ & E1 & E2); rewrite ?Rplus_0_r; auto; [destruct Hk, Hk'; subst; lra..|lra]. }
+  { intros r Hr Ev. destruct (unique m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb _ _ _ _ _ _ _ _ 0 (sided m1 m2 a2 b k _ _
+      _ _ Hk S) (sided m1 m2 a2 b k' _ _ _ _ Hk' S') (Rle_refl 0)) with (t := r) as (_ & E1 & E2); rewrite ?Rplus_0_r;
+      try lra. rewrite Ev in E1. destruct Hk'; subst k'; lra. }
   exists (t' + T). split; [lra|]. intros r Hr. replace r with (t' + (r - t')) by ring. apply Q; [lra|]. apply St. lra.
 Qed.
 
@@ -36,11 +34,7 @@ Lemma one_fate e x v1 v2 t x' v1' v2' t' : Ecr < e -> from_S0 e x v1 v2 t -> fro
   merges v1 v2 -> merges v1' v2'.
 Proof.
   intros He ((s & H) & Ht & Ev & Hx & En) ((s' & H') & Ht' & Ev' & Hx' & En').
-  pose proof (q_pos m1 m2 Hm1 Hm2) as Q0. pose proof (Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as E0. fold q in Q0. fold Ecr in E0.
-  assert (U : 0 < (e / Ecr - 1) / q). { assert (1 < e / Ecr); [|positive]. apply (Rmult_lt_reg_r Ecr); auto.
-    replace (e / Ecr * Ecr) with e by (field; lra). lra. }
-  assert (E : e = Ecr * (1 + q * sqrt ((e / Ecr - 1) / q) ^ 2)) by (rewrite pow2_sqrt by lra; field; lra).
-  pose proof (sqrt_lt_R0 _ U) as Up. set (u := sqrt _) in *. rewrite E in En, En'.
+  destruct (level_push m1 m2 a2 b Hm1 Hm2 Ha2 Hb e He) as (Up & E). set (u := sqrt _) in *. rewrite E in En, En'.
   destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t _ Ht Ev Hx Up En) as (k & r & Hk & Hr & R & _).
   destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x' v1' v2' s' H' t' _ Ht' Ev' Hx' Up En') as (k' & r' & Hk' & Hr' & R' & _).
   apply (from_ray k k' u x v1 v2 s x' v1' v2' s' r r' H H'); auto; lra.
@@ -74,7 +68,7 @@ Proof.
   - intros e1 e e2 H1 H2 No All. destruct (existence m1 m2 0 a2 b 0 (sqrt (2 * e / (m1 + m2))) (sqrt (2 * e / (m1 + m2))))
       as (x & v1 & v2 & s & H & X & V & W); auto; [lra|]. assert (F : from_S0 e x v1 v2 0).
     { split; [exists s; exact H|]. rewrite X, V, W. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb). repeat split; try lra.
-      unfold energy. assert (0 <= 2 * e / (m1 + m2)) by (apply Rdiv_le_0_compat; lra). rewrite pow2_sqrt by auto. field. lra. }
+      unfold energy. assert (0 <= 2 * e / (m1 + m2)) by positive. rewrite pow2_sqrt by auto. field. lra. }
     exact (No _ _ _ _ F (All e ltac:(lra) _ _ _ _ F)).
 Qed.
 End OneEnergy.

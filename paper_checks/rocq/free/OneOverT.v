@@ -18,9 +18,9 @@ Theorem reaches_ray : (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->
   exists k t1 p, (k = 1 \/ k = -1) /\ 0 <= t1 /\ ok m1 m2 p /\ on_ray m1 m2 a2 b k (hh p) x v1 v2 t1.
 Proof.
   intros Up. destruct (strip m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H Up (Ecr * (4 / 9 * q))) as (t & Ht & Ev & Hx & HE).
-  { apply Rmult_lt_0_compat; auto. lra. }
+  { positive. }
   destruct (start m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t H Ht Ev Hx (Up t Ht)) as (k & t1 & p & Hk & T1 & Hp & HR & _).
-  { apply small_simple; auto. fold q. rewrite Rmult_plus_distr_l, Rmult_1_r. exact HE. }
+  { apply small_simple; auto. rewrite Rmult_plus_distr_l, Rmult_1_r. exact HE. }
   exists k, t1, p. split; [auto|]. split; [lra|]. auto.
 Qed.
 
@@ -32,20 +32,18 @@ Theorem times : (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->
     (forall n t, tau n < t < te (S n) -> v1 t <> v2 t) /\
     is_lim_seq (fun n => tau n - te n) (PI * sqrt ((m1 + m2) / a2)) /\ is_lim_seq (fun n => te (S n) - tau n) 0.
 Proof.
-  intros Up. destruct (reaches_ray Up) as (k & t0 & p & Hk & Ht & Hp & HR).
-  set (ph := orb m1 m2 p). set (tm := tim m1 m2 a2 t0 p). set (sl := fun n => 2 * ph n / o1 m1 a2).
+  intros Up. destruct (reaches_ray Up) as (k & t0 & p & Hk & Ht & Hp & HR). set (ph := orb m1 m2 p).
+  set (tm := tim m1 m2 a2 t0 p). set (sl := fun n => 2 * ph n / o1 m1 a2).
   assert (Ok : forall n, ok m1 m2 (ph n)) by (intros; apply orb_ok; auto).
   assert (Sp : forall n, 0 < sl n) by (intros n; apply (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (Ok n))).
   assert (T0 : forall n, t0 <= tm n) by (intros; apply tim_start; auto).
-  assert (K : forall n, k * (-1) ^ n = 1 \/ k * (-1) ^ n = -1).
-  { induction n; simpl; [lra|]. destruct IHn; [right|left]; lra. }
   assert (Cy : forall n, sl n < cyc m1 m2 a2 (ph n) /\
     (forall u, 0 < u < sl n -> k * (-1) ^ n * v1 (tm n + u) < k * (-1) ^ n * v2 (tm n + u)) /\
     (forall u, sl n <= u <= cyc m1 m2 a2 (ph n) -> v1 (tm n + u) = v2 (tm n + u) /\ - L <= x (tm n + u) <= L)).
   { intros n. pose proof (exits m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hp HR n) as Rn.
-    destruct (cycle m1 m2 a2 b Hm1 Hm2 Ha2 Hb (k * (-1) ^ n) x v1 v2 s (tm n) (ph n) (K n) H ltac:(pose proof (T0
-      n); lra) (Ok n) Rn) as (_ & _ & C). split; [apply (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (Ok n))|exact C]. }
-  assert (TS : forall n, tm (S n) = tm n + cyc m1 m2 a2 (ph n)) by reflexivity.
+    destruct (cycle m1 m2 a2 b Hm1 Hm2 Ha2 Hb (k * (-1) ^ n) x v1 v2 s (tm n) (ph n) (sides k n Hk) H ltac:(pose proof
+      (T0 n); lra) (Ok n) Rn) as (_ & _ & C). split; [apply (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (Ok n))|exact C]. }
+  assert (TS : forall n, tm (S n) = tm n + cyc m1 m2 a2 (ph n)) by auto.
   exists (fun n => tm n + sl n), (fun n => tm (S n)).
   split; [intros n; pose proof (T0 n); pose proof (Sp n); destruct (Cy n); rewrite TS; lra|].
   split; [intros n; pose proof (Sp (S n)); lra|]. split.
@@ -55,8 +53,7 @@ Proof.
   - intros n t Hu. rewrite TS in Hu. replace t with (tm n + (t - tm n)) by ring. apply (proj2 (proj2 (Cy n))). lra.
   - intros n t Hu E. destruct (Cy (S n)) as (_ & C & _). specialize (C (t - tm (S n)) ltac:(lra)).
     replace (tm (S n) + (t - tm (S n))) with t in C by ring. rewrite E in C. lra.
-  - apply is_lim_seq_ext with (fun n => tm (S n) - (tm n + sl n)). { intros; ring. }
-    replace (PI * sqrt ((m1 + m2) / a2)) with (PI / om); [exact (stick_time m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp)|].
+  - replace (PI * sqrt ((m1 + m2) / a2)) with (PI / om); [exact (stick_time m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp)|].
     rewrite <- root_inv by lra. reflexivity.
   - apply is_lim_seq_ext with (fun n => sl (S n)). { intros; ring. }
     apply (is_lim_seq_incr_1 sl). exact (slip_time m1 m2 a2 Hm1 Hm2 Ha2 p Hp).
@@ -74,44 +71,29 @@ Proof.
   destruct (two_sided m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s 0 H (Rle_refl 0) Ev Hx) with (t := t) as (Lo & Up).
   { fold en Ecr q. change (0 < w0 <= 4 / 9 * q). lra. } { lra. }
   fold en Ecr q om in Lo, Up. change (en (x 0) (v1 0) (v2 0) / Ecr - 1) with w0 in Lo, Up.
-    change (en (x t) (v1 t) (v2 t) / Ecr - 1) with (w t) in Lo, Up.
-  fold K in Lo, Up. rewrite Rminus_0_r in Lo, Up.
-  assert (K0 : 0 < K) by (unfold K; apply Rmult_lt_0_compat; [lra|positive]).
-  assert (q1 : q < 1). { pose proof (qr_one m1 m2 Hm1 Hm2) as QR. pose proof (r_pos m1 m2 Hm1 Hm2). fold q in QR. lra. }
-  assert (KW : 2 * (K * w0) < 1).
-  { apply Rle_lt_trans with (2 * (K * (2 / 9 * q))); [apply Rmult_le_compat_l; [lra|scale]|].
-    pose proof (qr_one m1 m2 Hm1 Hm2) as QR.
-      replace (2 * (K * (2 / 9 * q))) with (m2 / (m1 + m2)) by (unfold K, q; field; lra). fold q in QR. lra. }
-  assert (S1 : 0 <= 6 * sqrt w0 < PI).
-  { pose proof (sqrt_pos w0). split; [lra|]. assert (sqrt w0 <= sqrt (1 / 4)) by (apply sqrt_le_1_alt; lra).
-    replace (1 / 4) with (1 / 2 * (1 / 2)) in * by field. rewrite sqrt_square in * by lra. pose proof PI2_3_2. lra. }
-  specialize (Up ltac:(lra)). set (sg := 1 - 3 / 8 * w0 / q) in *. assert (Sg : 0 < sg <= 1).
-  { assert (W1 : 0 < w0 / q <= 2 / 9). { split; [apply Rdiv_lt_0_compat; lra|]. apply Rmult_le_reg_r with q; auto.
-    replace (w0 / q * q) with w0 by (field; lra). lra. }
-    unfold sg. replace (3 / 8 * w0 / q) with (3 / 8 * (w0 / q)) by (field; lra). lra. }
-  assert (Sg12 : 0 < sg ^ 12 <= 1). { split; [apply pow_lt; lra|]. rewrite <- (pow1 12). apply pow_incr; lra. }
-  assert (Kp : 0 < K / (1 - K * w0)) by positive. assert (Iw : 0 < / w0) by positive.
-  assert (OT : 0 < om * t) by positive.
-  set (D := PI + 6 * sqrt w0) in *. set (D' := PI - 6 * sqrt w0) in *. assert (HD : 0 < D) by positive.
-    assert (HD' : 0 < D') by positive.
-  (* 2 K sg^12 <= 1/w0: the first cycle is paid by the start *)
-  assert (St : 2 * (K * sg ^ 12) <= / w0).
-  { apply Rmult_le_reg_r with w0; [lra|]. rewrite Rinv_l by lra.
-    assert (K * w0 * sg ^ 12 <= K * w0 * 1) by scale. lra. }
-  assert (Lo' : K * sg ^ 12 * (om * t / D) <= / w t) by lra. assert (Kd : 0 < K * sg ^ 12 * (om * t / D)) by positive.
-  assert (Wp : 0 < w t). { destruct (Rlt_dec 0 (w t)) as [|N]; auto. exfalso.
-    destruct (Req_dec (w t) 0) as [Z|Z]; [rewrite Z in Lo'; rewrite Rinv_0 in Lo'; lra|].
-    assert (/ w t < 0) by (apply Rinv_lt_0_compat; lra). lra. }
-  assert (II : / / w t = w t) by (apply Rinv_involutive; lra). split.
-  - set (A := / w0 + K / (1 - K * w0)). set (B := K / (1 - K * w0) * om / D'). assert (A0 : 0 < A) by positive.
-      assert (B0 : 0 < B) by (unfold B; apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
-    assert (AT : 0 < A / T) by positive. assert (Up' : / w t <= (A / T + B) * t).
-    { apply Rle_trans with (1 := Up). replace (/ w0 + K / (1 - K * w0) * (om * t / D' + 1)) with (A + B * t) by
-      (unfold A, B; field; lra).
-      assert (A <= A / T * t); [|lra]. replace A with (A / T * T) at 1 by (field; lra). scale. }
-    rewrite <- II. unfold Rdiv at 1. rewrite <- Rinv_mult_distr by lra. apply Rinv_le_contravar; auto.
-      apply Rinv_0_lt_compat; auto.
-  - rewrite <- II. replace (D / (K * sg ^ 12 * om) / t) with (/ (K * sg ^ 12 * (om * t / D))) by (field;
-    repeat split; lra). apply Rinv_le_contravar; auto.
+  change (en (x t) (v1 t) (v2 t) / Ecr - 1) with (w t) in Lo, Up. fold K in Lo, Up. rewrite Rminus_0_r in Lo, Up.
+  pose proof (qr_one m1 m2 Hm1 Hm2) as QR. pose proof (r_pos m1 m2 Hm1 Hm2). fold q in QR.
+  assert (K0 : 0 < K) by (unfold K; positive).
+  assert (Kq : K * q = 9 / 4 * (m2 / (m1 + m2))) by (unfold K, q; field; lra). assert (KW : 2 * (K * w0) < 1) by nra.
+  assert (S1 : sqrt w0 <= 1 / 2).
+  { rewrite <- (sqrt_pow2 (1 / 2)) by lra. apply sqrt_le_1_alt. lra. }
+  pose proof (sqrt_pos w0). pose proof PI2_3_2. set (D := PI + 6 * sqrt w0) in *. set (D' := PI - 6 * sqrt w0) in *.
+  assert (HD : 0 < D) by positive. assert (HD' : 0 < D') by positive. specialize (Up ltac:(lra)).
+  assert (Kp : 0 < K / (1 - K * w0)) by positive. assert (OT : 0 < om * t) by positive.
+  assert (Sg : 0 < 1 - 3 / 8 * w0 / q <= 1).
+  { assert (0 < w0 / q) by positive. assert (w0 / q <= 2 / 9) by (undivide q; lra). lra. }
+  set (c := K * (1 - 3 / 8 * w0 / q) ^ 12) in *. assert (C : 0 < c <= K).
+  { pose proof (pow_incr _ 1 12 (conj (Rlt_le _ _ (proj1 Sg)) (proj2 Sg))) as S.
+    split; [apply Rmult_lt_0_compat; [|apply pow_lt]|unfold c; nra]; lra. }
+  (* the first cycle is paid by the start *)
+  assert (St : 2 * c <= / w0) by (apply Rmult_le_reg_r with w0; [lra|]; rewrite Rinv_l by lra; nra).
+  assert (Lo' : c * (om * t / D) <= / w t) by lra. assert (Kd : 0 < c * (om * t / D)) by positive.
+  rewrite <- (Rinv_inv (w t)). split.
+  - set (A := / w0 + K / (1 - K * w0)). replace (/ (A / T + K / (1 - K * w0) * om / D') / t) with (/ ((A / T + K / (1 -
+      K * w0) * om / D') * t)) by (rewrite Rinv_mult; reflexivity). apply Rinv_le_contravar; [lra|].
+    apply Rle_trans with (1 := Up). assert (A / T * T <= A / T * t) by scale.
+    replace (A / T * T) with A in * by (field; lra). unfold A in *. lra.
+  - replace (D / (c * om) / t) with (/ (c * (om * t / D))) by (field; repeat split; lra).
+    apply Rinv_le_contravar; auto.
 Qed.
 End Paper.

@@ -12,7 +12,7 @@ Proof.
     p p0 ltac:(lra)) as (u & E & Hu).
   { intros u Hu. pose proof (hh_pos u ltac:(lra)) as U. apply is_derive_Reals. evar_last.
     { apply is_derive_div; [apply derive_depth; lra|apply is_derive_pow, derive_hh; lra|simpl; nra]. }
-    simpl. unfold minus, plus, opp, mult, scal; simpl. field. lra. }
+    simpl. field. lra. }
   pose proof (sin_gt_0 u ltac:(lra) ltac:(lra)) as S. pose proof (hh_pos u ltac:(lra)) as U.
   assert (G : 0 <= 2 * (sin u - u * cos u) - (u - sin u * cos u)).
   { apply (from_zero (fun u => 2 * (sin u - u * cos u) - (u - sin u * cos u)) (fun u => 2 * sin u * (u - sin u)) PI);
@@ -21,34 +21,26 @@ Proof.
     - intros t Ht. apply Rmult_le_pos; [pose proof (sin_ge_0 t ltac:(lra) ltac:(lra)); lra|].
       pose proof (sin_below t ltac:(lra)). lra. }
   assert (Le : hh u ^ 2 <= depth u ^ 2 * (1 + ct u ^ 2)).
-  { pose proof (sin2_cos2 u) as SC. unfold Rsqr in SC. pose proof (A_pos u ltac:(lra)).
-    replace (depth u ^ 2 * (1 + ct u ^ 2)) with ((2 * (sin u - u * cos u) / sin u ^ 2) ^ 2 * (sin u * sin u + cos u * cos u))
-      by (unfold depth, ct; field; lra). rewrite SC, Rmult_1_r. apply pow_incr. unfold hh. split; [positive|].
-    apply Rmult_le_compat_r; [positive|lra]. }
-  assert (2 * (hh u ^ 2 - depth u ^ 2 * (1 + ct u ^ 2)) / hh u ^ 3 <= 0); [|nra].
-  assert (0 < hh u ^ 3) by positive. undivide (hh u ^ 3). lra.
+  { replace (depth u ^ 2 * (1 + ct u ^ 2)) with ((2 * (sin u - u * cos u) / sin u ^ 2) ^ 2)
+      by (unfold depth, ct; trig u). apply pow_incr. split; [positive|]. apply Rmult_le_compat_r; [positive|lra]. }
+  assert (2 * (hh u ^ 2 - depth u ^ 2 * (1 + ct u ^ 2)) / hh u ^ 3 <= 0); [|nra]. undivide (hh u ^ 3). lra.
 Qed.
 Lemma inward_grows p p0 : 0 < p -> p <= p0 -> p0 <= PI / 2 -> 2 * p - hh p <= 2 * p0 - hh p0.
 Proof.
-  intros H0 Hp H1. destruct (Req_dec p p0) as [<-|N]; [lra|]. pose proof PI_RGT_0.
+  intros H0 Hp H1. destruct (Req_dec p p0) as [<-|N]; [lra|].
   destruct (MVT_cor2 (fun p => 2 * p - hh p) (fun p => 2 - depth p * (1 + ct p ^ 2)) p p0 ltac:(lra)) as (u & E & Hu).
   { intros u Hu. apply is_derive_Reals. apply (is_derive_minus (fun p => 2 * p) hh u 2); [|apply derive_hh; lra].
     auto_derive; auto. ring. }
   pose proof (A_pos u ltac:(lra)). pose proof (sin_gt_0 u ltac:(lra) ltac:(lra)) as S.
-  pose proof (cos_ge_0 u ltac:(lra) ltac:(lra)). pose proof (sin2_cos2 u) as SC. unfold Rsqr in SC.
+  pose proof (cos_ge_0 u ltac:(lra) ltac:(lra)).
   assert (2 - depth u * (1 + ct u ^ 2) = 2 * ((u - sin u * cos u) * cos u / sin u ^ 3)).
-  { unfold depth, ct. set (s := sin u) in *. set (c := cos u) in *. clearbody s c. field_simplify_eq; [|lra].
-    rewrite ?pow2e, ?pow3e. nsatz. }
+  { unfold depth, ct. trig u. }
   assert (0 <= (u - sin u * cos u) * cos u / sin u ^ 3) by positive. nra.
 Qed.
 
 (** the depth, the push and the half angle: the speed at re-entry *)
 Lemma back_identity p : 0 < p < PI -> (2 * p - hh p) ^ 2 = hh p ^ 2 + 2 * depth p - depth p ^ 2.
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  assert (Z : depth p ^ 2 - 2 * depth p - 4 * p * hh p + 4 * p ^ 2 = 4 * p ^ 2 * (sin p * sin p + cos p * cos p - 1) / sin p ^ 2)
-    by (unfold depth, hh; field; lra). rewrite SC in Z. lra.
-Qed.
+Proof. intros Hp. unfold hh, depth. trig p. Qed.
 (** an arc cosine is between its sine and its tangent *)
 Lemma acos_between z : 0 < z <= 1 -> sqrt (1 - z ^ 2) <= acos z <= sqrt (1 - z ^ 2) / z.
 Proof.
@@ -56,7 +48,7 @@ Proof.
   replace (sqrt (1 - z ^ 2)) with (sin (acos z)) by (rewrite sin_acos by lra; f_equal; unfold Rsqr; ring).
   split; [apply sin_below; lra|]. undivide z. rewrite <- C at 2. set (a := acos z) in *.
   destruct (Req_dec a 0) as [->|N]; [rewrite sin_0; lra|].
-  assert (a < PI). { destruct (Req_dec a PI) as [E|]; [rewrite E, cos_PI in C|]; lra. }
+  assert (a < PI) by (destruct (Req_dec a PI) as [E|]; [rewrite E, cos_PI in C|]; lra).
   pose proof (g_pos a ltac:(lra)). lra.
 Qed.
 
@@ -72,9 +64,9 @@ Let qr : q + r = 1 := qr_one m1 m2 Hm1 Hm2.
 (** pushes up to 2/3, and their depths *)
 Lemma ok_push p : 0 < p < PI -> hh p <= 2 / 3 -> ok m1 m2 p /\ depth p <= 2 / 3 /\ 2 * p - hh p <= 2 * hh p.
 Proof.
-  intros Hp Hh. pose proof (hh_pos p Hp). pose proof (depth_upper p Hp). pose proof (hh_below p Hp). pose proof PI2_1.
-  assert (hh p ^ 2 <= (2 / 3) ^ 2) by (apply pow_incr; lra). split; [|lra].
-  apply ok_small; auto; [split; [lra|]|fold r; nra]. apply hh_le; auto; [lra|]. rewrite hh_half_pi. lra.
+  intros Hp Hh. pose proof (depth_upper p Hp). pose proof (hh_below p Hp). pose proof PI2_1.
+  assert (hh p ^ 2 <= (2 / 3) ^ 2) by nra. split; [|lra]. apply ok_small; auto; [split; [lra|]|fold r; nra].
+  apply hh_le; auto; [lra|]. rewrite hh_half_pi. lra.
 Qed.
 
 (** *** A cycle: its slip, and its stick between two angles *)
@@ -89,11 +81,10 @@ Proof.
   pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as O0. fold om in O0. pose proof (o1_pos m1 a2 Hm1 Ha2) as O1.
   unfold cyc, A, B. fold q om u'. fold u' in En, N0. set (u := hh p) in *. set (c := depth p) in *. fold rho. assert (Y2 : 0 < u' ^ 2) by positive.
   assert (R1 : 1 <= rho) by (apply amp_ge; auto; lra).
-    assert (R2 : rho * rho = 1 + q * u' ^ 2) by (apply amp_sq; auto; lra).
+  assert (R2 : rho * rho = 1 + q * u' ^ 2) by (apply amp_sq; auto; lra).
   assert (I1 : 0 < / rho <= 1). { split; [positive|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. }
-  assert (0 <= c ^ 2) by positive. assert (U' : u' <= u) by nra.
-  assert (Sq : 0 < sqrt q) by positive. assert (SS : sqrt q * sqrt q = q) by (apply sqrt_sqrt; lra).
-  assert (Qc : 0 < q * c < 1) by (split; [positive|nra]).
+  assert (0 <= c ^ 2) by positive. assert (U' : u' <= u) by nra. assert (Sq : 0 < sqrt q) by positive.
+  assert (SS : sqrt q * sqrt q = q) by (apply sqrt_sqrt; lra). assert (Qc : 0 < q * c < 1) by nra.
   assert (Angle : forall z w, 0 < z <= 1 -> 0 <= w -> z ^ 2 + q * w ^ 2 = rho * rho ->
     acos (z / rho) = atan (sqrt q * w / z) /\ sqrt q * w / rho <= atan (sqrt q * w / z) <= sqrt q * w / z).
   { intros z w Hz Hw E. assert (Z : 0 < z / rho <= 1) by (split; [positive|unfold Rdiv; nra]). pose proof (acos_between _ Z) as Bt.
@@ -122,10 +113,10 @@ Theorem cycle_between p : 0 < p < PI -> hh p <= 2 / 3 ->
   PI - sqrt q * (2 * p - hh p) * (q * depth p / (1 - q * depth p)) <= om * cyc m1 m2 a2 p <= PI + sqrt q * (2 * p).
 Proof.
   intros Hp Hh. destruct (ok_push p Hp Hh) as (Hok & C1 & _). destruct (cycle_angles p Hp Hh) as (-> & Le & HA & HB).
-  set (A := atan _) in *. set (B := atan (_ / _)) in *.
-  destruct (next_ok m1 m2 Hm1 Hm2 p Hok) as (Hn & _). pose proof (hh_pos _ (ok_pi m1 m2 _ Hn)). pose proof (back p (proj1 Hok)).
+  set (B := atan (_ / _)) in *. destruct (next_ok m1 m2 Hm1 Hm2 p Hok) as (Hn & _).
+  pose proof (hh_pos _ (ok_pi m1 m2 _ Hn)). pose proof (back p (proj1 Hok)).
   assert (R1 : 1 <= amp m1 m2 (hh (next m1 m2 p) ^ 2)) by (apply amp_ge; auto; positive).
-  assert (Sq : 0 < sqrt q) by positive. pose proof (depth_pos p Hp). assert (Qc : q * depth p < 1) by nra. split.
+  assert (Qc : q * depth p < 1) by nra. split.
   - replace (sqrt q * (2 * p - hh p) * (q * depth p / (1 - q * depth p))) with
       (sqrt q * (2 * p - hh p) / (1 - q * depth p) - sqrt q * (2 * p - hh p)) by (field; lra).
     assert (sqrt q * hh (next m1 m2 p) <= sqrt q * hh p) by scale. lra.
@@ -150,10 +141,10 @@ Proof.
   intros Hk Ht Hp Hh HR y0 c0 a A Tu Tl. destruct (ok_push p Hp Hh) as (Hok & C1 & Dp). pose proof (hh_pos p Hp) as U0.
   pose proof (depth_pos p Hp) as C0. fold c0 in C0, C1. pose proof PI2_3_2 as P3.
   pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as O0. fold om in O0.
-  pose proof (SharpRate.Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as E0.
-  assert (Y0 : 0 < y0) by (unfold y0; positive). assert (Loss : r * c0 ^ 2 / y0 < 1) by (destruct Hok as (_ & K); undivide y0; fold r c0 y0 in K; lra).
+  pose proof (SharpRate.Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as E0. assert (Y0 : 0 < y0) by (unfold y0; positive).
+  assert (Loss : r * c0 ^ 2 / y0 < 1) by (destruct Hok as (_ & K); undivide y0; fold r c0 y0 in K; lra).
   assert (Loss0 : 0 < r * c0 ^ 2 / y0) by positive.
-  assert (A0 : 0 <= A) by (unfold A; apply Rlt_le, Rdiv_lt_0_compat; lra). assert (a0 : 0 <= a) by (unfold a; positive).
+  assert (A0 : 0 <= A) by (unfold A; apply Rlt_le, Rdiv_lt_0_compat; lra). assert (a0 : 0 <= a) by positive.
   assert (Qc : forall c, 0 < c <= c0 -> 0 < q * c <= 2 / 3) by (intros c Hc; split; [positive|nra]).
   assert (Part : forall c, 0 < c <= c0 -> 0 < q * c / (1 - q * c) <= q * c0 / (1 - q * c0) /\
     q * c / (1 - q * c) <= 2).
@@ -161,11 +152,11 @@ Proof.
     apply Rmult_le_compat; [lra|positive|lra|apply Rinv_le_contravar; lra]. }
   assert (S1 : 0 < sqrt q <= 1) by (split; [positive|rewrite <- sqrt_1; apply sqrt_le_1_alt; lra]).
   assert (TlP : 0 < Tl). { destruct (Part c0 ltac:(lra)) as ((G & _) & G2). unfold Tl. pose proof (back p (proj1 Hok)).
-    assert (sqrt q * (2 * p - hh p) <= 1 * (4 / 3)) by (apply Rmult_le_compat; lra).
-    assert (0 < sqrt q * (2 * p - hh p)) by positive. nra. }
+    assert (sqrt q * (2 * p - hh p) <= 1 * (4 / 3)) by (apply Rmult_le_compat; lra). nra. }
   set (ph := orb m1 m2 p). assert (Ok : forall n, ok m1 m2 (ph n)) by (intros; apply orb_ok; auto).
   assert (Pi : forall n, 0 < ph n < PI) by (intros; apply (ok_pi m1 m2), Ok).
-  assert (Step : forall n, hh (ph (S n)) ^ 2 = hh (ph n) ^ 2 - r * depth (ph n) ^ 2) by (intros n; apply (next_ok m1 m2 Hm1 Hm2 (ph n) (Ok n))).
+  assert (Step : forall n, hh (ph (S n)) ^ 2 = hh (ph n) ^ 2 - r * depth (ph n) ^ 2)
+    by (intros n; apply (next_ok m1 m2 Hm1 Hm2 (ph n) (Ok n))).
   assert (Le : forall n, 0 < ph n <= p) by (intros n; split; [apply Pi|exact (phi_0 r r_pos ph Pi Step n)]).
   assert (Push : forall n, hh (ph n) <= hh p) by (intros n; exact (push_below m1 m2 Hm1 Hm2 p Hok n)).
   assert (Cn : forall n, 0 < depth (ph n) <= c0).
@@ -176,12 +167,12 @@ Proof.
   { pose proof (exit_level m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hok HR 0) as E.
     change (energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) = Stick.Ecr m1 m2 a2 b * (1 + q * y0)) in E. unfold w. rewrite E. field. lra. }
   intros t Hu. pose proof (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hok HR t ltac:(lra)) as NM.
-  assert (Wp : 0 < w t / q). { unfold w. apply Rdiv_lt_0_compat; auto. apply Rlt_Rminus. undivide (Stick.Ecr m1 m2 a2 b). lra. }
+  assert (Wp : 0 < w t / q). { apply Rdiv_lt_0_compat; auto. apply Rlt_Rminus. undivide (Stick.Ecr m1 m2 a2 b). lra. }
   assert (Gain : forall n, a <= / hh (ph (S n)) ^ 2 - / hh (ph n) ^ 2 <= A).
-  { intros n. assert (Y : 0 < hh (ph n) ^ 2) by (apply pow_lt, hh_pos, Pi). assert (Y' : 0 < hh (ph (S n)) ^ 2) by (apply pow_lt, hh_pos, Pi).
+  { intros n. assert (Y' : 0 < hh (ph (S n)) ^ 2) by (apply pow_lt, hh_pos, Pi).
     specialize (Step n). set (yn := hh (ph n) ^ 2) in *. set (y' := hh (ph (S n)) ^ 2) in *. set (c := depth (ph n)) in *.
-    pose proof (Cn n) as Hc. fold c in Hc. assert (0 < r * c ^ 2) by positive.
-    replace (/ y' - / yn) with (r * c ^ 2 / yn ^ 2 * (yn / y')) by (replace (r * c ^ 2) with (yn - y') by lra; field; lra).
+    pose proof (Cn n) as Hc. assert (0 < r * c ^ 2) by positive. replace (/ y' - / yn) with (r * c ^ 2 / yn ^ 2 * (yn /
+      y')) by (replace (r * c ^ 2) with (yn - y') by lra; field; lra).
     pose proof (depth_share (ph n) p ltac:(apply Le) ltac:(apply Le) ltac:(lra)) as Sh. fold c0 y0 c yn in Sh.
     assert (c / yn <= 3 / 2) by (undivide yn; apply depth_upper, Pi).
     assert (R1 : a <= r * c ^ 2 / yn ^ 2 <= 9 / 4 * r).
@@ -191,22 +182,23 @@ Proof.
     assert (R2 : 1 <= yn / y') by (undivide y'; lra).
     assert (R3 : yn / y' <= / (1 - r * c0 ^ 2 / y0)).
     { replace (yn / y') with (/ (1 - r * c ^ 2 / yn)) by (replace y' with (yn - r * c ^ 2) by lra; field; lra).
-      apply Rinv_le_contravar; [lra|]. pose proof (ratio_falls (ph n) p ltac:(apply Le) ltac:(apply Le) (proj2 (proj1 Hok))) as Ra.
-      unfold ratio in Ra. fold c0 c in Ra. assert (c / hh (ph n) <= c0 / hh p).
-      { rewrite <- (Rinv_inv (c / hh (ph n))), <- (Rinv_inv (c0 / hh p)). pose proof (hh_pos _ (Pi n)).
-        apply Rinv_le_contravar; [positive|]. rewrite !Rinv_div. exact Ra. }
+      apply Rinv_le_contravar; [lra|].
+      pose proof (ratio_falls (ph n) p ltac:(apply Le) ltac:(apply Le) (proj2 (proj1 Hok))) as Ra.
+      assert (c / hh (ph n) <= c0 / hh p).
+      { rewrite <- (Rinv_inv (c / hh (ph n))), <- (Rinv_inv (c0 / hh p)). apply Rinv_le_contravar; [positive|].
+        rewrite !Rinv_div. exact Ra. }
       assert ((c / hh (ph n)) ^ 2 <= (c0 / hh p) ^ 2) by (apply pow_incr; split; [pose proof (hh_pos _ (Pi n)); positive|auto]).
       assert (r * (c / hh (ph n)) ^ 2 <= r * (c0 / hh p) ^ 2) by scale. pose proof (hh_pos _ (Pi n)).
       replace (r * c ^ 2 / yn) with (r * (c / hh (ph n)) ^ 2) by (unfold yn; field; lra).
       replace (r * c0 ^ 2 / y0) with (r * (c0 / hh p) ^ 2) by (unfold y0; field; lra). lra. }
-    split; [rewrite <- (Rmult_1_r a); apply Rmult_le_compat; lra|]. unfold A, Rdiv at 2. apply Rmult_le_compat; lra. }
+    split; [rewrite <- (Rmult_1_r a); apply Rmult_le_compat; lra|]. apply Rmult_le_compat; lra. }
   assert (Time : forall n, Tl <= om * cyc m1 m2 a2 (ph n) <= Tu).
   { intros n. destruct (cycle_between (ph n) (Pi n) ltac:(pose proof (Push n); lra)) as (T1 & T2). pose proof (Le n) as L.
     destruct (Part _ (Cn n)) as (G & _). pose proof (inward_grows (ph n) p ltac:(lra) ltac:(lra) (proj2 (proj1 Hok))).
     pose proof (back (ph n) (proj1 (Ok n))). split.
-    - apply Rle_trans with (2 := T1). unfold Tl. apply Rplus_le_compat_l, Ropp_le_contravar.
+    - apply Rle_trans with (2 := T1). apply Rplus_le_compat_l, Ropp_le_contravar.
       apply Rmult_le_compat; [positive|lra|scale|lra].
-    - apply Rle_trans with (1 := T2). unfold Tu. apply Rplus_le_compat_l. scale. }
+    - apply Rle_trans with (1 := T2). apply Rplus_le_compat_l. scale. }
   assert (B : / y0 + a * (om * (t - t0) / Tu - 1) <= / (w t / q) <= / y0 + A * (om * (t - t0) / Tl + 1)).
   { destruct (between m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hok HR a Tu t a0) as (Lo & Up); auto.
     - intros n. apply Gain.
@@ -215,7 +207,8 @@ Proof.
   assert (Den : 0 < / y0 + a * (om * (t - t0) / Tu - 1)).
   { assert (a < / y0). { unfold a. replace (r * c0 ^ 2 / y0 ^ 2) with (r * c0 ^ 2 / y0 * / y0) by (field; lra).
       rewrite <- (Rmult_1_l (/ y0)) at 2. scale. }
-    assert (0 < Tu) by (unfold Tu; positive). assert (0 <= a * (om * (t - t0) / Tu)) by positive. lra. }
-  rewrite (Wt t). rewrite <- (Rinv_inv (w t / q)). unfold Rdiv at 1 4. split; apply Rmult_le_compat_l; try lra; apply Rinv_le_contravar; lra.
+    assert (0 <= a * (om * (t - t0) / Tu)) by positive. lra. }
+  rewrite (Wt t). rewrite <- (Rinv_inv (w t / q)).
+  split; apply Rmult_le_compat_l; try lra; apply Rinv_le_contravar; lra.
 Qed.
 End Bounds.

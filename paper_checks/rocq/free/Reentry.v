@@ -7,27 +7,19 @@ From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle SlipF
 Lemma short_margin q pc p : 0 < q -> PI / 2 < pc < PI -> depth pc = 2 / q -> 0 < p <= PI - pc ->
   1 - 2 * hh p * ct p < q * hh p ^ 2.
 Proof.
-  intros Hq Hpc Dc Hp. pose proof PI_RGT_0. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
-    pose proof (cos_gt_0 p ltac:(lra) ltac:(lra)) as C.
-  assert (Kp : 0 < ct p) by (apply Rdiv_lt_0_compat; auto). pose proof (margin p ltac:(lra)) as M.
-  assert (W : 0 < (PI - p) * ct p) by positive. assert (De : depth (PI - p) = 2 * (1 + (PI - p) * ct p)).
-  { pose proof (two_hh (PI - p) ltac:(lra)) as T. pose proof (two_hh p ltac:(lra)) as T2. rewrite ct_mirror in T by lra.
-    pose proof (hh_mirror p ltac:(lra)) as Hm. pose proof (half_depth p ltac:(lra)) as Hd.
-    apply Rmult_eq_reg_l with (ct p); [|lra].
+  intros Hq Hpc Dc Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
+  pose proof (cos_gt_0 p ltac:(lra) ltac:(lra)) as C. assert (Kp : 0 < ct p) by (apply Rdiv_lt_0_compat; auto).
+  pose proof (margin p ltac:(lra)) as M. assert (W : 0 < (PI - p) * ct p) by positive.
+  assert (De : depth (PI - p) = 2 * (1 + (PI - p) * ct p)).
+  { pose proof (two_hh (PI - p) ltac:(lra)) as T. rewrite ct_mirror in T by lra.
+    pose proof (hh_mirror p ltac:(lra)) as Hm. apply Rmult_eq_reg_l with (ct p); [|lra].
     (* 2 (h~ + h) = 2 pi (1 + k^2); the theta's cancel *)
-    pose proof (half_depth (PI - p) ltac:(lra)) as Hd'. rewrite ct_mirror in Hd' by lra.
-    assert (Q : hh p = p * (1 + ct p ^ 2) - ct p). { rewrite inv_sin2 by lra. pose proof (sin2_cos2 p) as SC.
-      unfold hh, ct. field. lra. }
-    assert (Q' : hh (PI - p) = (PI - p) * (1 + ct p ^ 2) + ct p) by lra. rewrite Q' in T. lra. }
-  assert (Le : depth pc <= depth (PI - p)). { destruct (Req_dec pc (PI - p)) as [<-|]; [lra|].
-    apply Rlt_le, depth_incr; lra. }
-  rewrite Dc, De in Le. assert (Q1 : 1 <= q * (1 + (PI - p) * ct p)).
-  { apply Rmult_le_reg_l with (2 / q); [positive|].
-    replace (2 / q * (q * (1 + (PI - p) * ct p))) with (2 * (1 + (PI - p) * ct p)) by (field; lra). lra. }
-  pose proof (pow_lt _ 2 (hh_pos p ltac:(lra))) as H2. set (w := 1 + (PI - p) * ct p) in *.
+    
+    assert (Q : hh p = p * (1 + ct p ^ 2) - ct p) by (unfold hh, ct; trig p). lra. }
+  assert (Le : depth pc <= depth (PI - p)) by (destruct (Req_dec pc (PI - p)) as [<-|]; [|apply Rlt_le, depth_incr];
+    lra). rewrite Dc, De in Le. apply (Rle_div_l 2 _ q) in Le; [|lra]. set (w := 1 + (PI - p) * ct p) in *.
   apply Rmult_lt_reg_r with w; [unfold w; lra|]. apply Rlt_le_trans with (1 := M).
-  replace (q * hh p ^ 2 * w) with (q * w * hh p ^ 2) by ring. rewrite <- (Rmult_1_l (hh p ^ 2)) at 1.
-    apply Rmult_le_compat_r; lra.
+  assert (0 <= (w * q - 1) * hh p ^ 2) by positive. lra.
 Qed.
 
 (** the invariant of the slips after a crossing: a gap, and a half angle that is long or short *)
@@ -47,11 +39,10 @@ Theorem enter k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> on_ray m1 m2 
   exists p', p' <= PI - pc /\ crossed m1 m2 a2 b pc x v1 v2 (t0 + 2 * p / o1 m1 a2) p'.
 Proof.
   intros Hk Ht Hp HR Hl. apply ray_gap in HR. rewrite <- push_0 in HR.
-  assert (HD : 2 / q < depth p + 0). { rewrite <- Dc. pose proof (depth_incr pc p ltac:(lra) Hl ltac:(lra)). lra. }
+  assert (HD : 2 / q < depth p + 0). { pose proof (depth_incr pc p ltac:(lra) Hl ltac:(lra)). lra. }
   destruct (alternation m1 m2 a2 b x v1 v2 s k t0 0 p pc Hm1 Hm2 Ha2 Hb Hpc Dc HK Hk H Ht (Rle_refl 0) Hp HR HD)
-    as (p' & Hp' & D' & G & A & _).
-  exists p'. assert (p' <= PI - pc) by (apply A; lra). split; [auto|]. exists (- k), (depth p + 0 - 2 / q).
-  split; [destruct Hk; [right|left]; lra|]. auto.
+    as (p' & Hp' & D' & G & A & _). exists p'. assert (p' <= PI - pc) by lra. split; [auto|].
+  exists (- k), (depth p + 0 - 2 / q). split; [destruct Hk; [right|left]; lra|]. auto.
 Qed.
 
 (** after a crossing the next contact is either again a crossing, or in S0 above E_cr, whence it sticks up to a ray:
@@ -72,12 +63,10 @@ Proof.
     exists p'. split; [|auto]. exists (- k), (depth p + d - 2 / q). split; [destruct Hk; [right|left]; lra|].
       repeat (split; [auto; fail|]). split; [|auto].
     destruct Ls as [I|I]; [right; auto|left; auto].
-  - right. apply Rnot_lt_le in N.
-    assert (Sh : p <= PI - pc). { destruct Ls as [I|]; auto. exfalso. assert (depth pc <= depth p); [|lra].
-      destruct (Req_dec pc p) as [<-|]; [lra|]. apply Rlt_le, depth_incr; lra. }
+  - right. apply Rnot_lt_le in N. assert (Sh : p <= PI - pc). { destruct Ls as [I|]; auto. exfalso.
+      assert (depth pc <= depth p); [|lra]. destruct (Req_dec pc p) as [<-|]; [|apply Rlt_le, depth_incr]; lra. }
     destruct (reentry m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 d p Hk Ht ltac:(lra) Hp HG N) as (_ & _ & Hx & _
-      & _ & _ & Up).
-    assert (Y : 0 < level m1 m2 p d) by (apply level_pos; auto; apply (short_margin q pc); auto; lra).
+      & _ & _ & Up). assert (Y : 0 < level m1 m2 p d) by (apply level_pos; auto; apply (short_margin q pc); auto; lra).
     destruct (Up Y) as (HE & k' & t2 & Hk' & T2 & HR & _). fold t1 in HE, Hx, T2. repeat (split; [auto; fail|]).
     exists k', (sqrt (level m1 m2 p d)), t2. split; [auto|]. split; [positive|]. split; [lra|auto].
 Qed.

@@ -7,13 +7,19 @@ Definition depth p := 2 * (sin p - p * cos p) / sin p.       (* c = 2 - theta co
 
 Lemma hh_h p : 0 < p < PI -> hh p = h (2 * p).
 Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). unfold hh, h. rewrite cos_2a_sin, sin_2a. field.
-  assert (0 < sin p * sin p) by nra. lra.
+  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). unfold hh, h. rewrite cos_2a_sin, sin_2a. field. nra.
 Qed.
 Lemma hh_incr p q : 0 < p -> p < q -> q < PI -> hh p < hh q.
 Proof. intros. rewrite !hh_h by lra. apply h_increases; lra. Qed.
 Lemma hh_pos p : 0 < p < PI -> 0 < hh p.
 Proof. intros Hp. apply Rdiv_lt_0_compat; [apply A_pos; auto|]. apply pow_lt, sin_gt_0; lra. Qed.
+(** as its square does *)
+Lemma hh_sq p q : 0 < p < PI -> 0 < q < PI -> (hh p ^ 2 < hh q ^ 2 <-> p < q).
+Proof.
+  intros Hp Hq. pose proof (hh_pos p Hp). pose proof (hh_pos q Hq). destruct (Rtotal_order p q) as [L|[->|L]]; [|lra|];
+    [pose proof (hh_incr p q (proj1 Hp) L (proj2 Hq))|pose proof (hh_incr q p (proj1 Hq) L (proj2 Hp))]; split; intros;
+    nra.
+Qed.
 Lemma depth_pos p : 0 < p < PI -> 0 < depth p.
 Proof. intros Hp. apply Rdiv_lt_0_compat; [pose proof (g_pos p Hp); lra|apply sin_gt_0; lra]. Qed.
 
@@ -28,11 +34,10 @@ Qed.
 Theorem depth_upper p : 0 < p < PI -> depth p <= 3 / 2 * hh p ^ 2.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (depth_above p ltac:(lra)) as Q.
-  unfold depth, hh. apply Rmult_le_reg_r with (2 * sin p ^ 4). { pose proof (pow_lt _ 4 S); lra. }
-  replace (2 * (sin p - p * cos p) / sin p * (2 * sin p ^ 4)) with (4 * (sin p - p * cos p) * sin p ^ 3) by
-    (field; lra).
-  replace (3 / 2 * ((p - sin p * cos p) / sin p ^ 2) ^ 2 * (2 * sin p ^ 4)) with (3 * (p - sin p * cos p) ^ 2) by
-    (field; lra). auto.
+  unfold depth, hh. apply Rmult_le_reg_r with (2 * sin p ^ 4). { positive. }
+  replace (2 * (sin p - p * cos p) / sin p * (2 * sin p ^ 4)) with (4 * (sin p - p * cos p) * sin p ^ 3)
+    by (field; lra). replace (3 / 2 * ((p - sin p * cos p) / sin p ^ 2) ^ 2 * (2 * sin p ^ 4))
+    with (3 * (p - sin p * cos p) ^ 2) by (field; lra). auto.
 Qed.
 
 (** [depth-lower] The depth of an excursion is at least $\tfrac{3}{2}(\sin\varphi/\varphi)^6h^2$. *)
@@ -41,7 +46,7 @@ Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_above_cube p ltac:(lra)) as G.
   pose proof (A_above p ltac:(lra)) as A. pose proof (A_pos p Hp) as Ap. assert (D : 2 / 3 * sin p ^ 2 <= depth p).
   { undivide (sin p). lra. }
-  apply Rle_trans with (2 := D). assert (P2 : (p - sin p * cos p) ^ 2 <= (2 / 3 * p ^ 3) ^ 2) by (apply pow_incr; lra).
+  apply Rle_trans with (2 := D). assert (P2 : (p - sin p * cos p) ^ 2 <= (2 / 3 * p ^ 3) ^ 2) by nra.
   unfold hh. replace (3 / 2 * (sin p / p) ^ 6 * ((p - sin p * cos p) / sin p ^ 2) ^ 2) with (3 / 2 * (sin p ^ 2 / p ^ 6)
     * (p - sin p * cos p) ^ 2) by (field; lra).
   replace (2 / 3 * sin p ^ 2) with (3 / 2 * (sin p ^ 2 / p ^ 6) * (2 / 3 * p ^ 3) ^ 2) by (field; lra).
@@ -74,6 +79,28 @@ Proof.
   assert (sin p / p * p = sin p) by (field; lra). nra.
 Qed.
 
+(** a sequence is on average what its steps tend to *)
+Lemma steps_mean (u : nat -> R) (l : R) : is_lim_seq (fun n => u (S n) - u n) l -> is_lim_seq (fun n => u n / INR n) l.
+Proof.
+  intros D. assert (Sum : forall n, u (S n) = u O + sum_f_R0 (fun n => u (S n) - u n) n).
+  { induction n as [|n IH]; simpl; [ring|]. rewrite <- Rplus_assoc, <- IH. ring. }
+  assert (Z : is_lim_seq (fun n => u O * / INR n) 0).
+  { replace (Finite 0) with (Rbar_mult (u O) 0) by (simpl; f_equal; ring). apply is_lim_seq_scal_l.
+    assert (Q := is_lim_seq_inv _ _ is_lim_seq_INR). apply Q. discriminate. }
+  assert (C : is_lim_seq (fun n => sum_f_R0 (fun n => u (S n) - u n) (pred n) / INR n) l) by (apply is_lim_seq_Reals,
+    Cesaro_1, is_lim_seq_Reals, D). replace (Finite l) with (Finite (0 + l)) by (f_equal; ring).
+  apply is_lim_seq_ext_loc with (2 := is_lim_seq_plus' _ _ _ _ Z C). exists 1%nat. intros n Hn.
+  destruct n; [inversion Hn|]. rewrite Sum. simpl pred. field. apply not_0_INR; discriminate.
+Qed.
+
+(** what is closer to l than what tends to 0 *)
+Lemma lim_within (u f : nat -> R) (l : R) : (forall n, Rabs (u n - l) <= f n) -> is_lim_seq f 0 -> is_lim_seq u l.
+Proof.
+  intros B F. apply is_lim_seq_spec. apply is_lim_seq_spec in F. intros e. destruct (F e) as (N & K). exists N.
+  intros n Hn. specialize (K n Hn). rewrite Rminus_0_r in K. apply Rle_lt_trans with (2 := K).
+  apply Rle_trans with (1 := B n), Rle_abs.
+Qed.
+
 Section Orbit.
 Context (r : R) (Hr : 0 < r).
 Context (phi : nat -> R) (Hphi : forall n, 0 < phi n < PI).
@@ -87,25 +114,21 @@ Lemma y_pos n : 0 < y n. Proof. apply pow_lt, hh_pos; auto. Qed.
 Lemma loss_upper n : y n - y (S n) <= kappa * y n ^ 2.
 Proof.
   rewrite step. pose proof (depth_upper _ (Hphi n)) as D. pose proof (depth_pos _ (Hphi n)). fold (y n) in D.
-  assert (depth (phi n) ^ 2 <= (3 / 2 * y n) ^ 2) by (apply pow_incr; lra). unfold kappa. nra.
+  assert (depth (phi n) ^ 2 <= (3 / 2 * y n) ^ 2) by nra. unfold kappa. nra.
 Qed.
 Lemma loss_lower n : kappa * si n ^ 12 * y n ^ 2 <= y n - y (S n).
 Proof.
   rewrite step. pose proof (depth_lower _ (Hphi n)) as D. fold (y n) (si n) in D. pose proof (y_pos n).
   pose proof (pow_lt _ 6 (sinc_pos _ (Hphi n))) as S6. assert (0 < 3 / 2 * si n ^ 6 * y n) by positive.
-  assert (Q : (3 / 2 * si n ^ 6 * y n) ^ 2 <= depth (phi n) ^ 2) by (apply pow_incr; lra).
+  assert (Q : (3 / 2 * si n ^ 6 * y n) ^ 2 <= depth (phi n) ^ 2) by nra.
   replace (kappa * si n ^ 12 * y n ^ 2) with (r * (3 / 2 * si n ^ 6 * y n) ^ 2) by (unfold kappa; field).
-  assert (r * (3 / 2 * si n ^ 6 * y n) ^ 2 <= r * depth (phi n) ^ 2) by scale. lra.
+  assert (r * (3 / 2 * si n ^ 6 * y n) ^ 2 <= r * depth (phi n) ^ 2) by nra. lra.
 Qed.
 (** the level falls *)
 Theorem y_falls n : y (S n) < y n.
 Proof. rewrite step. pose proof (pow_lt _ 2 (depth_pos _ (Hphi n))). nra. Qed.
 Lemma phi_falls n : phi (S n) <= phi n.
-Proof.
-  destruct (Rle_dec (phi (S n)) (phi n)) as [|N]; auto. pose proof (y_falls n) as Y. pose proof (Hphi n).
-  pose proof (Hphi (S n)). assert (hh (phi n) < hh (phi (S n))) by (apply hh_incr; lra). pose proof (hh_pos _ (Hphi n)).
-  unfold y in Y. nra.
-Qed.
+Proof. apply Rlt_le, hh_sq; auto. exact (y_falls n). Qed.
 Lemma phi_0 n : phi n <= phi 0%nat.
 Proof. induction n; [lra|]. pose proof (phi_falls n); lra. Qed.
 Lemma si_0 n : si 0%nat <= si n.
@@ -143,8 +166,8 @@ Qed.
 (** the level tends to 0, as 1/y gains a fixed amount *)
 Theorem y_to_zero : is_lim_seq y 0.
 Proof.
-  set (al := kappa * si 0%nat ^ 12). assert (Hal : 0 < al).
-  { apply Rmult_lt_0_compat; [unfold kappa; lra|apply pow_lt, sinc_pos; auto]. }
+  set (al := kappa * si 0%nat ^ 12).
+  assert (Hal : 0 < al) by (apply Rmult_lt_0_compat; [unfold kappa; lra|apply pow_lt, sinc_pos; auto]).
   assert (L : is_lim_seq (fun n => / y n) p_infty).
   { apply is_lim_seq_le_p_loc with (fun n => INR n * al).
     - exists 0%nat. intros n _. pose proof (y_bound n) as Q. fold al in Q.
@@ -155,16 +178,16 @@ Proof.
   assert (Q := is_lim_seq_inv _ _ L). apply Q. discriminate.
 Qed.
 
+Lemma root_to_zero c : is_lim_seq (fun n => c * sqrt (y n)) 0.
+Proof.
+  replace (Finite 0) with (Rbar_mult c (sqrt 0)) by (simpl; rewrite sqrt_0; f_equal; ring).
+  apply is_lim_seq_scal_l, is_lim_seq_continuous; [apply continuity_pt_sqrt; lra|apply y_to_zero].
+Qed.
 Lemma phi_to_zero : is_lim_seq phi 0.
 Proof.
-  apply is_lim_seq_le_le with (fun _ => 0) (fun n => 3 / 2 * sqrt (y n)).
-  - intros n. pose proof (Hphi n). unfold y. rewrite <- Rsqr_pow2, sqrt_Rsqr by (apply Rlt_le, hh_pos; auto).
-    pose proof (hh_below _ (Hphi n)). lra.
-  - apply is_lim_seq_const.
-  - replace (Finite 0) with (Rbar_mult (3 / 2) (sqrt 0)) by (simpl; rewrite sqrt_0; f_equal; ring).
-    apply is_lim_seq_scal_l. apply is_lim_seq_continuous; [|apply y_to_zero]. apply continuity_pt_sqrt; lra.
+  apply lim_within with (2 := root_to_zero (3 / 2)). intros n. pose proof (Hphi n). pose proof (hh_below _ (Hphi n)).
+  unfold y. rewrite sqrt_pow2, Rminus_0_r, Rabs_pos_eq; lra.
 Qed.
-
 (** so the gain of 1/y tends to kappa *)
 Lemma d_limit : is_lim_seq d kappa.
 Proof.
@@ -190,29 +213,13 @@ Proof.
   destruct Ev as (n0 & K). exists n0. split; [apply d_lower|apply d_upper; auto].
 Qed.
 
-(** the gains add up to 1/y *)
-Lemma telescope n : sum_f_R0 d n = / y (S n) - / y 0%nat.
-Proof. induction n; simpl; [reflexivity|]. rewrite IHn. unfold d. ring. Qed.
-
 (** [return-map-rate] Along the return map $n\,y_n\to 4/(9r)$. *)
 Theorem sharp : is_lim_seq (fun n => INR n * y n) (4 / (9 * r)).
 Proof.
-  assert (C : is_lim_seq (fun n => sum_f_R0 d (pred n) / INR n) kappa).
-  { apply is_lim_seq_Reals. apply Cesaro_1. apply is_lim_seq_Reals. apply d_limit. }
-  assert (Z : is_lim_seq (fun n => / y 0%nat * / INR n) 0).
-  { replace (Finite 0) with (Rbar_mult (/ y 0%nat) 0) by (simpl; f_equal; ring). apply is_lim_seq_scal_l.
-    assert (Q := is_lim_seq_inv _ _ is_lim_seq_INR). apply Q. discriminate. }
-  assert (L : is_lim_seq (fun n => / (INR n * y n)) kappa).
-  { replace (Finite kappa) with (Finite (kappa + 0)) by (f_equal; ring).
-    apply is_lim_seq_ext_loc with (fun n => sum_f_R0 d (pred n) / INR n + / y 0%nat * / INR n);
-      [|apply is_lim_seq_plus'; auto].
-    exists 1%nat. intros n Hn. destruct n; [inversion Hn|]. rewrite telescope by auto. simpl pred.
-    assert (INR (S n) <> 0) by (apply not_0_INR; discriminate). pose proof (y_pos (S n)).
-      pose proof (y_pos 0%nat). field. repeat split; lra. }
+  assert (L := steps_mean (fun n => / y n) kappa d_limit).
   replace (Finite (4 / (9 * r))) with (Finite (/ kappa)) by (f_equal; unfold kappa; field; lra).
-  apply is_lim_seq_ext_loc with (fun n => / / (INR n * y n)).
-  - exists 1%nat. intros n Hn. apply Rinv_involutive. pose proof (y_pos n).
-    assert (0 < INR n) by (apply lt_0_INR; auto). apply Rgt_not_eq. apply Rmult_lt_0_compat; auto.
+  apply is_lim_seq_ext_loc with (fun n => / (/ y n / INR n)).
+  - exists 1%nat. intros n Hn. pose proof (y_pos n). assert (0 < INR n) by (apply lt_0_INR; auto). field. split; lra.
   - assert (Q := is_lim_seq_inv _ _ L). apply Q. intros E. injection E. unfold kappa. lra.
 Qed.
 End Orbit.

@@ -33,7 +33,6 @@ Let o1 := o1 m1 a2.
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
 Let q0 : 0 < q. Proof. apply q_pos; auto. Qed.
-Let r0 : 0 < r. Proof. apply r_pos; auto. Qed.
 Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
 Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
 Let O0 : 0 < o1. Proof. apply o1_pos; auto. Qed.
@@ -46,23 +45,21 @@ Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H)
 Lemma gap_level k d u t : k = 1 \/ k = -1 -> at_gap m1 m2 a2 b k d u x v1 v2 t ->
   E t = Ecr * (1 + q * (u ^ 2 + 2 * d + q * d ^ 2)).
 Proof.
-  intros Hk (A & B & C). pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 u) as R. cbv zeta in R. fold q L Ecr in R, A.
+  intros Hk (A & B & C). pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 u) as R. fold q L Ecr in R, A.
   assert (V : v2 t = v1 t) by (destruct Hk; subst k; lra). unfold E. rewrite V.
   replace (energy m1 m2 a2 (x t) (v1 t) (v1 t)) with (energy m1 m2 a2 (k * x t) (k * v1 t) (k * v1 t))
-    by (unfold energy; destruct Hk; subst k; field).
-  rewrite A, B. replace (energy m1 m2 a2 (L * (1 + q * d)) (ray m1 m2 a2 b u) (ray m1 m2 a2 b u))
-    with (energy m1 m2 a2 L (ray m1 m2 a2 b u) (ray m1 m2 a2 b u) + Ecr * ((1 + q * d) ^ 2 - 1))
-    by (unfold Ecr; rewrite Ecr_L by auto; fold L; unfold energy; field).
-  rewrite R. ring.
+    by (unfold energy; destruct Hk; subst k; field). rewrite A, B. replace (energy m1 m2 a2 (L * (1 + q * d)) (ray m1 m2
+    a2 b u) (ray m1 m2 a2 b u)) with (energy m1 m2 a2 L (ray m1 m2 a2 b u) (ray m1 m2 a2 b u) + Ecr * ((1 + q * d) ^ 2 -
+    1)) by (unfold Ecr; rewrite Ecr_L by auto; fold L; unfold energy; field). rewrite R. ring.
 Qed.
 
 (** every contact beyond S0 is at some gap and some push *)
 Lemma beyond_gap t : v1 t = v2 t -> ~ (- L <= x t <= L) ->
   exists k d u, (k = 1 \/ k = -1) /\ 0 < d /\ at_gap m1 m2 a2 b k d u x v1 v2 t.
 Proof.
-  intros Ev N. assert (K : exists k, (k = 1 \/ k = -1) /\ L < k * x t).
-  { destruct (Rlt_dec L (x t)); [exists 1|exists (-1)]; split; auto; lra. }
-  destruct K as (k & Hk & HL). exists k, ((k * x t / L - 1) / q), (k * v1 t * (m2 * o1) / b). split; [auto|]. split.
+  intros Ev N. assert (K : exists k, (k = 1 \/ k = -1) /\ L < k * x t)
+    by (destruct (Rlt_dec L (x t)); [exists 1|exists (-1)]; split; auto; lra). destruct K as (k & Hk & HL).
+  exists k, ((k * x t / L - 1) / q), (k * v1 t * (m2 * o1) / b). split; [auto|]. split.
   - apply Rdiv_lt_0_compat; auto. assert (1 < k * x t / L); [|lra]. undivide L. lra.
   - unfold at_gap, ray. fold q L o1. rewrite Ev. repeat split; field; repeat split; lra.
 Qed.
@@ -94,20 +91,15 @@ Lemma crossing_long k d p t0 e : k = 1 \/ k = -1 -> 0 <= t0 -> 0 <= d -> 0 < p <
 Proof.
   intros Hk Ht Hd Hp He Hep HG HD. assert (T0 : 0 < 2 * p / o1) by positive.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & _ & A & _).
-  destruct HG as (A0 & _). fold o1 q L in A, A0. fold q in A. assert (V0 : 0 < sqrt (2 * e / m1)) by positive.
-  pose proof (path t0 (t0 + 2 * p / o1) e ltac:(lra) He) as P. set (t1 := t0 + 2 * p / o1) in *.
-    set (V := sqrt (2 * e / m1)) in *.
-  assert (Far : 2 * L <= Rabs (x t1 - x t0)).
+  destruct HG as (A0 & _). fold o1 q L in A, A0. pose proof (path t0 (t0 + 2 * p / o1) e ltac:(lra) He) as P.
+  set (t1 := t0 + 2 * p / o1) in *. set (V := sqrt (2 * e / m1)) in *. assert (Far : 2 * L <= Rabs (x t1 - x t0)).
   { assert (Q : 2 < q * (depth p + d)). { apply Rmult_lt_reg_l with (/ q); [positive|].
-      rewrite <- Rmult_assoc, Rinv_l, Rmult_1_l by lra. unfold Rdiv in HD. lra. }
-    assert (0 <= q * d) by positive.
-    assert (B : k * (x t0 - x t1) = L * (q * d + q * (depth p + d))) by (rewrite Rmult_minus_distr_l, A, A0; ring).
-    assert (L * 2 <= L * (q * d + q * (depth p + d))) by scale.
-    rewrite Rabs_minus_sym. destruct Hk; subst k; unfold Rabs; destruct Rcase_abs; lra. }
-  replace (t1 - t0) with (2 * p / o1) in P by (unfold t1; ring). unfold least_angle. fold V.
-  apply Rle_trans with (1 := Rmin_r _ _). undivide V. apply Rmult_le_reg_r with (2 / o1); [positive|].
-  replace (o1 * L * (2 / o1)) with (2 * L) by (field; lra).
-    replace (p * V * (2 / o1)) with (V * (2 * p / o1)) by (field; lra). lra.
+      rewrite <- Rmult_assoc, Rinv_l, Rmult_1_l by lra. lra. }
+    assert (0 <= q * d) by positive. assert (L * 2 <= L * (q * d + q * (depth p + d))) by scale.
+    destruct Hk; subst k; unfold Rabs; destruct Rcase_abs; lra. }
+  replace (t1 - t0) with (2 * p / o1) in P by (unfold t1; ring). fold V. apply Rle_trans with (1 := Rmin_r _ _).
+  undivide V. apply Rmult_le_reg_r with (2 / o1); [positive|]. replace (o1 * L * (2 / o1)) with (2 * L) by (field; lra).
+  lra.
 Qed.
 
 (** and it costs at least this *)
@@ -125,17 +117,13 @@ Proof.
   intros Hk Ht Hd Hp He Hep HG HD. pose proof (crossing_long k d p t0 e Hk Ht Hd Hp He Hep HG HD) as Long.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & _ & _ & _ & _ & B).
   fold o1 q Ecr in B. pose proof (gap_level k d (push d p) t0 Hk HG) as A. rewrite level_loss in B by auto.
-    fold q r in B.
-  pose proof (least_angle_in e Hep) as P0. pose proof (depth_pos (least_angle e) P0) as D0.
-  assert (D1 : depth (least_angle e) <= depth p).
-  { destruct (Req_dec (least_angle e) p) as [->|]; [lra|]. apply Rlt_le, depth_incr; lra. }
-  assert (D2 : depth (least_angle e) ^ 2 <= depth p * (depth p + 2 * d)).
-  { assert (depth (least_angle e) ^ 2 <= depth p ^ 2) by (apply pow_incr; lra).
-    assert (0 <= depth p * d) by positive. lra. }
-  assert (F : 0 < Ecr * (q * r)) by positive.
-  change (energy m1 m2 a2 (x (t0 + 2 * p / o1)) (v1 (t0 + 2 * p / o1)) (v2 (t0 + 2 * p / o1))) with (E (t0 + 2 * p
-    / o1)) in B.
-  rewrite B, A. unfold least_cost.
+  fold q r in B. pose proof (least_angle_in e Hep) as P0. pose proof (depth_pos (least_angle e) P0) as D0.
+  assert (D1 : depth (least_angle e) <= depth p) by (destruct (Req_dec (least_angle e) p) as [->|];
+    [|apply Rlt_le, depth_incr]; lra). assert (D2 : depth (least_angle e) ^ 2 <= depth p * (depth p + 2 * d)).
+  { assert (depth (least_angle e) ^ 2 <= depth p ^ 2) by (apply pow_incr; lra). assert (0 <= depth p * d) by positive.
+    lra. }
+  change (energy m1 m2 a2 (x (t0 + 2 * p / o1)) (v1 (t0 + 2 * p / o1)) (v2 (t0 + 2 * p / o1)))
+    with (E (t0 + 2 * p / o1)) in B. unfold least_cost.
   assert (Ecr * (q * r) * depth (least_angle e) ^ 2 <= Ecr * (q * r) * (depth p * (depth p + 2 * d))) by scale. lra.
 Qed.
 
@@ -145,31 +133,25 @@ Lemma returns_paid e n : 0 < e -> forall k d u t0, k = 1 \/ k = -1 -> 0 <= t0 ->
     first_reentry L x v1 v2 t0 t /\ t <= t0 + (INR n + 1) * (2 * PI / o1).
 Proof.
   intros Hep. induction n as [|n IH]; intros k d u t0 Hk Ht Hd HG He En.
-  all: assert (Ang : exists p, 0 < p < PI /\ push d p = u)
-    by (destruct Hd as [D|(-> & U)]; [destruct (push_root d u D) as (p & P & _)|destruct (half_ex u U) as (p & P1
-      & P2)]; [exists p; auto|exists p; rewrite push_0; auto]).
-  all: destruct Ang as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1) by positive;
-    assert (T1 : 2 * p / o1 <= 2 * PI / o1) by scale.
+  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1)
+    by positive; assert (T1 : 2 * p / o1 <= 2 * PI / o1) by scale.
   all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & Sg & A & B & C & _).
   all: fold o1 in Sg, A, B, C; fold q L in A; fold q in A; set (t1 := t0 + 2 * p / o1) in *.
   all: assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra). all: assert (Ct : contact_after v1 v2 t0 t1)
     by (split; [unfold t1; lra|split; [intros t Hu Q; specialize (Sg t Hu); rewrite Q in Sg; lra|auto]]).
   all: pose proof (depth_pos p Hp) as Dp; destruct (Rle_dec (depth p + d) (2 / q)) as [In|Out].
   1,3: exists t1; split; [apply fr_in; [auto|]|first [pose proof (pos_INR n); rewrite S_INR|simpl INR]; unfold t1; nra];
-    assert (QD : 0 < q * (depth p + d) <= 2)
-      by (split; [apply Rmult_lt_0_compat; lra|replace 2 with (q * (2 / q)) by (field; lra);
-        apply Rmult_le_compat_l; lra]);
-    assert (- L <= k * x t1 <= L) by (rewrite A; split; nra); destruct Hk; subst k; lra.
+    exact (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ d p Hk D0 Hp A In).
   all: apply Rnot_le_lt in Out; pose proof (crossing_costs k d p t0 e Hk Ht D0 Hp He Hep HG Out) as Drop;
     fold t1 in Drop; pose proof (least_cost_pos e Hep) as Cost.
   - exfalso. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t1) (v1 t1) (v2 t1)). unfold E in *. simpl in En. lra.
   - destruct (crossing m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG Out) as (D' & _ & G' & _).
-    fold q o1 in D', G'. fold t1 in G'. rewrite S_INR in En.
-    assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra). assert (T1' : 0 <= t1) by (unfold t1; lra).
+    fold q o1 in D', G'. fold t1 in G'. rewrite S_INR in En. assert (Hk' : - k = 1 \/ - k = -1) by lra.
+    assert (T1' : 0 <= t1) by positive.
     destruct (IH _ _ _ t1 Hk' T1' (or_introl D') G' ltac:(lra) ltac:(lra)) as (t & F & Soon).
     exists t. split; [|rewrite S_INR; unfold t1 in Soon; lra]. apply fr_cross with t1; auto. intros I.
-      destruct G' as (X1 & _). fold q L in X1.
-    assert (0 < L * (q * (depth p + d - 2 / q))) by positive. destruct Hk; subst k; lra.
+    destruct G' as (X1 & _). fold q L in X1. assert (0 < L * (q * (depth p + d - 2 / q))) by positive.
+    destruct Hk; subst k; lra.
 Qed.
 
 (** [first-re-entry] From beyond $S_0$, or from an exit ray, a solution returns to $S_0$ after finitely many slips,
@@ -178,9 +160,7 @@ Theorem returns k d u t0 : k = 1 \/ k = -1 -> 0 <= t0 -> (0 < d \/ (d = 0 /\ 0 <
   at_gap m1 m2 a2 b k d u x v1 v2 t0 -> exists t, first_reentry L x v1 v2 t0 t.
 Proof.
   intros Hk Ht Hd HG. pose proof (gap_level k d u t0 Hk HG) as A. assert (Ep : 0 < E t0).
-  { rewrite A. apply Rmult_lt_0_compat; [exact E0|]. pose proof (pow2_ge_0 u). pose proof (pow2_ge_0 d).
-    assert (0 <= q * d ^ 2) by (apply Rmult_le_pos; lra).
-    assert (0 <= q * (u ^ 2 + 2 * d + q * d ^ 2)) by (apply Rmult_le_pos; lra). lra. }
+  { rewrite A. apply Rmult_lt_0_compat; [exact E0|]. assert (0 <= q * (u ^ 2 + 2 * d + q * d ^ 2)) by positive. lra. }
   pose proof (least_cost_pos (E t0) Ep) as C. destruct (nat_above (E t0) _ C) as (n & Hn).
   destruct (returns_paid (E t0) n Ep k d u t0) as (t & F & _); auto; try lra. exists t; auto.
 Qed.

@@ -27,6 +27,13 @@ Let r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2.
 Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
 Lemma Ecr_pos : 0 < Ecr.
 Proof. unfold Ecr. rewrite Ecr_L by auto. pose proof (pow_lt _ 2 (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)). nra. Qed.
+(** the push of a level above E_cr *)
+Lemma level_push e : Ecr < e -> let u := sqrt ((e / Ecr - 1) / q) in 0 < u /\ e = Ecr * (1 + q * u ^ 2).
+Proof.
+  intros He u. pose proof Ecr_pos. assert (1 < e / Ecr) by (undivide Ecr; lra).
+  assert (D : 0 < (e / Ecr - 1) / q) by (apply Rdiv_lt_0_compat; [lra|auto]). split; [apply sqrt_lt_R0; auto|].
+  unfold u. rewrite pow2_sqrt by lra. field. split; lra.
+Qed.
 Lemma E_falls u t : 0 <= u <= t -> E t <= E u.
 Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H u t). Qed.
 
@@ -64,20 +71,13 @@ Theorem level_rate : is_lim_seq (fun n => INR n * y n) (4 / (9 * r)). Proof.
 Theorem cycle_limit : is_lim_seq (fun n => tm (S n) - tm n) (PI / om).
 Proof.
   apply is_lim_seq_ext with cy. { intros n. rewrite tm_S. ring. }
-  assert (Z : is_lim_seq (fun n => 6 * sqrt q * sqrt (y n)) 0).
-  { replace (Finite 0) with (Rbar_mult (6 * sqrt q) (sqrt 0)) by (simpl; rewrite sqrt_0; f_equal; ring).
-    apply is_lim_seq_scal_l. apply is_lim_seq_continuous; [|apply level_to_zero]. apply continuity_pt_sqrt; lra. }
-  assert (Q : forall n, Rabs (om * cy n - PI) <= 6 * sqrt q * sqrt (y n)).
-  { intros n. unfold y. rewrite <- Rsqr_pow2, sqrt_Rsqr by (apply Rlt_le, hh_pos, ph_pi).
-    exact (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)). }
-  apply is_lim_seq_ext with (fun n => / om * (om * cy n)). { intros n; field; lra. }
-  replace (Finite (PI / om)) with (Rbar_mult (/ om) PI) by (simpl; f_equal; field; lra). apply is_lim_seq_scal_l.
-  apply is_lim_seq_le_le with (fun n => PI - 6 * sqrt q * sqrt (y n)) (fun n => PI + 6 * sqrt q * sqrt (y n)).
-  - intros n. pose proof (Q n) as W. apply Rabs_inv in W. lra.
-  - replace (Finite PI) with (Finite (PI - 0)) by (f_equal; ring).
-    apply is_lim_seq_minus'; [apply is_lim_seq_const|auto].
-  - replace (Finite PI) with (Finite (PI + 0)) by (f_equal; ring).
-    apply is_lim_seq_plus'; [apply is_lim_seq_const|auto].
+  apply lim_within with (2 := root_to_zero r r_pos ph ph_pi y_step (6 * sqrt q / om)). intros n.
+  pose proof (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)) as Q. fold M in Q. fold q om (cy n) in Q.
+  rewrite sqrt_pow2 by (apply Rlt_le, hh_pos, ph_pi). assert (0 < / om) by positive.
+  replace (cy n - PI / om) with ((om * cy n - PI) * / om) by (field; lra).
+  rewrite Rabs_mult, (Rabs_pos_eq (/ om)) by lra.
+  replace (6 * sqrt q / om * hh (ph n)) with (6 * sqrt q * hh (ph n) * / om) by (field; lra).
+  apply Rmult_le_compat_r; [lra|exact Q].
 Qed.
 (** the cycle time tends to pi/Omega *)
 Lemma cy_limit : is_lim_seq cy (PI / om).
@@ -98,27 +98,15 @@ Proof.
     apply is_lim_seq_minus'; [apply cycle_limit|apply slip_time].
 Qed.
 
-Lemma tm_sum n : tm (S n) = t0 + sum_f_R0 cy n.
-Proof. induction n; [reflexivity|]. rewrite tm_S, IHn. simpl sum_f_R0. ring. Qed.
 (** so the n-th exit time over n tends to pi/Omega *)
 Theorem time_rate : is_lim_seq (fun n => tm n / INR n) (PI / om).
-Proof.
-  assert (C : is_lim_seq (fun n => sum_f_R0 cy (pred n) / INR n) (PI / om)).
-  { apply is_lim_seq_Reals. apply Cesaro_1. apply is_lim_seq_Reals. apply cy_limit. }
-  assert (Z : is_lim_seq (fun n => t0 * / INR n) 0).
-  { replace (Finite 0) with (Rbar_mult t0 0) by (simpl; f_equal; ring). apply is_lim_seq_scal_l.
-    assert (Q := is_lim_seq_inv _ _ is_lim_seq_INR). simpl in Q. apply Q. discriminate. }
-  replace (Finite (PI / om)) with (Finite (0 + PI / om)) by (f_equal; ring).
-  apply is_lim_seq_ext_loc with (fun n => t0 * / INR n + sum_f_R0 cy (pred n) / INR n); [|apply is_lim_seq_plus'; auto].
-  exists 1%nat. intros n Hn. destruct n; [inversion Hn|]. rewrite tm_sum. simpl pred. field.
-    apply not_0_INR; discriminate.
-Qed.
+Proof. exact (steps_mean tm (PI / om) cycle_limit). Qed.
 Lemma tm_inf : is_lim_seq tm p_infty.
 Proof.
   apply is_lim_seq_ext_loc with (fun n => INR n * (tm n / INR n)).
   { exists 1%nat. intros n Hn. field. apply not_0_INR. lia. }
-  apply is_lim_seq_mult with p_infty (PI / om); [apply is_lim_seq_INR|apply time_rate|].
-  apply is_Rbar_mult_p_infty_pos. simpl. apply Rdiv_lt_0_compat; auto. apply PI_RGT_0.
+  apply is_lim_seq_mult with p_infty (PI / om); [apply is_lim_seq_INR|apply time_rate|]. apply is_Rbar_mult_p_infty_pos.
+  apply Rdiv_lt_0_compat; auto. apply PI_RGT_0.
 Qed.
 Lemma tm_above B : exists n, B < tm n.
 Proof. pose proof tm_inf as T. apply is_lim_seq_spec in T. destruct (T B) as (n & K). exists n. apply K; auto. Qed.
@@ -144,51 +132,44 @@ Qed.
 (** every later time lies in some cycle *)
 Lemma in_cycle N t : tm N <= t -> exists n, (N <= n)%nat /\ tm n <= t <= tm (S n).
 Proof.
-  intros HN. destruct (tm_above t) as (n & Hn). apply (bracket N n); auto.
-  assert (Mo : forall i j, tm i <= tm (j + i)). { intros i j. induction j; [change (0 + i)%nat with i; lra|].
-    change (S j + i)%nat with (S (j + i)). pose proof (tm_up (j + i)). lra. }
+  intros HN. destruct (tm_above t) as (n & Hn). apply (bracket N n); auto. assert (Mo : forall i j, tm i <= tm (j + i)).
+  { induction j; [change (0 + i)%nat with i; lra|]. change (S j + i)%nat with (S (j + i)). pose proof (tm_up (j + i)).
+    lra. }
   pose proof (Mo n N). lra.
 Qed.
 
 (** *** The sharp law in the time *)
 Theorem sharp_from_ray : is_lim (fun t => t * (E t - Ecr)) p_infty (Ecr * rate).
 Proof.
-  pose proof Ecr_pos as E0. set (K := PI / om * (4 / (9 * r))). assert (G : is_lim_seq (fun n => tm n * y n) K).
-  { apply is_lim_seq_ext_loc with (fun n => tm n / INR n * (INR n * y n)).
-    { exists 1%nat. intros n Hn. field. apply not_0_INR. lia. }
-    apply is_lim_seq_mult'; [apply time_rate|apply level_rate]. }
-  assert (Up : is_lim_seq (fun n => tm (S n) * y n) K).
-  { apply is_lim_seq_ext with (fun n => tm n * y n + cy n * y n). { intros n. rewrite tm_S. ring. }
-    replace (Finite K) with (Finite (K + PI / om * 0)) by (f_equal; ring).
-    apply is_lim_seq_plus'; auto. apply is_lim_seq_mult'; [apply cy_limit|apply level_to_zero]. }
-  assert (Lo : is_lim_seq (fun n => tm n * y (S n)) K).
-  { apply is_lim_seq_ext with (fun n => tm (S n) * y (S n) - cy n * y (S n)). { intros n. rewrite tm_S. ring. }
-    replace (Finite K) with (Finite (K - PI / om * 0)) by (f_equal; ring).
-    apply is_lim_seq_minus'; [apply (is_lim_seq_incr_1 (fun n => tm n * y n)); auto|].
-    apply is_lim_seq_mult'; [apply cy_limit|apply (is_lim_seq_incr_1 y); apply level_to_zero]. }
-  assert (EK : Ecr * rate = Ecr * q * K).
-  { unfold rate, K. rewrite <- root_inv by lra. fold M. change (sqrt (a2 / M)) with om. unfold q, r.
-    assert (0 < M) by positive. assert (om <> 0) by lra. field. repeat split; lra. }
-  rewrite EK. apply is_lim_spec. intros eps. simpl. assert (C0 : 0 < Ecr * q) by positive.
-  assert (He : 0 < eps / (Ecr * q)) by (apply Rdiv_lt_0_compat; [apply cond_pos|auto]).
-  apply is_lim_seq_spec in Up. apply is_lim_seq_spec in Lo.
-  destruct (Up (mkposreal _ He)) as (N1 & K1). destruct (Lo (mkposreal _ He)) as (N2 & K2). simpl in K1, K2.
-  exists (tm (Nat.max N1 N2)). intros t Hlt. destruct (in_cycle (Nat.max N1 N2) t ltac:(lra)) as (n & Hn & Hb1 & Hb2).
-  specialize (K1 n ltac:(lia)). specialize (K2 n ltac:(lia)). pose proof (tm_from n) as T0.
-    pose proof (y_plus n) as Y0. pose proof (y_plus (S n)) as Y1.
-  pose proof (E_falls (tm n) t ltac:(lra)) as F1. pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2.
-    rewrite exit_level in F1, F2.
-  apply Rabs_def2 in K1. apply Rabs_def2 in K2. assert (B1 : t * (E t - Ecr) <= Ecr * q * (tm (S n) * y n)).
-  { apply Rle_trans with (t * (Ecr * q * y n)); [scale|].
-    replace (Ecr * q * (tm (S n) * y n)) with (tm (S n) * (Ecr * q * y n)) by ring. apply Rmult_le_compat_r; auto.
-      apply Rlt_le, Rmult_lt_0_compat; auto. }
-  assert (B2 : Ecr * q * (tm n * y (S n)) <= t * (E t - Ecr)).
-  { apply Rle_trans with (t * (Ecr * q * y (S n))); [|scale].
-    replace (Ecr * q * (tm n * y (S n))) with (tm n * (Ecr * q * y (S n))) by ring. apply Rmult_le_compat_r; auto.
-      apply Rlt_le, Rmult_lt_0_compat; auto. }
-  assert (EE : Ecr * q * (eps / (Ecr * q)) = eps) by (field; lra). apply Rabs_def1.
-  - assert (Ecr * q * (tm (S n) * y n - K) < Ecr * q * (eps / (Ecr * q))) by scale. lra.
-  - assert (Ecr * q * (- (eps / (Ecr * q))) < Ecr * q * (tm n * y (S n) - K)) by scale. lra.
+  pose proof Ecr_pos as E0. set (F n := Ecr * q * y n). assert (C0 : 0 < Ecr * q) by positive.
+  assert (Fp : forall n, 0 < F n /\ E (tm n) - Ecr = F n).
+  { intros n. pose proof (y_plus n). rewrite exit_level. unfold F. split; [positive|ring]. }
+  assert (F0 : is_lim_seq F 0).
+  { replace (Finite 0) with (Rbar_mult (Ecr * q) 0) by (simpl; f_equal; ring). apply is_lim_seq_scal_l, level_to_zero. }
+  assert (G : is_lim_seq (fun n => tm n * F n) (Ecr * rate)).
+  { replace (Ecr * rate) with (PI / om * (Ecr * q * (4 / (9 * r)))).
+    2: { unfold rate. rewrite <- root_inv by lra. fold M. change (sqrt (a2 / M)) with om. unfold q, r.
+      assert (0 < M) by positive. field. repeat split; lra. }
+    apply is_lim_seq_ext_loc with (fun n => tm n / INR n * (Ecr * q * (INR n * y n))).
+    { exists 1%nat. intros n Hn. unfold F. field. apply not_0_INR. lia. }
+    apply is_lim_seq_mult'; [apply time_rate|apply (is_lim_seq_scal_l _ (Ecr * q) (4 / (9 * r))), level_rate]. }
+  assert (Up : is_lim_seq (fun n => tm (S n) * F n) (Ecr * rate)).
+  { apply is_lim_seq_ext with (fun n => tm n * F n + cy n * F n). { intros n. rewrite tm_S. ring. }
+    replace (Ecr * rate) with (Ecr * rate + PI / om * 0) by ring. apply is_lim_seq_plus'; auto.
+    apply is_lim_seq_mult'; [apply cy_limit|auto]. }
+  assert (Lo : is_lim_seq (fun n => tm n * F (S n)) (Ecr * rate)).
+  { apply is_lim_seq_ext with (fun n => tm (S n) * F (S n) - cy n * F (S n)). { intros n. rewrite tm_S. ring. }
+    replace (Ecr * rate) with (Ecr * rate - PI / om * 0) by ring.
+    apply is_lim_seq_minus'; [apply (is_lim_seq_incr_1 (fun n => tm n * F n)); auto|].
+    apply is_lim_seq_mult'; [apply cy_limit|apply (is_lim_seq_incr_1 F); auto]. }
+  apply is_lim_spec. intros eps. apply is_lim_seq_spec in Up. apply is_lim_seq_spec in Lo.
+  destruct (Up eps) as (N1 & K1). destruct (Lo eps) as (N2 & K2). exists (tm (Nat.max N1 N2)). intros t Hlt.
+  destruct (in_cycle (Nat.max N1 N2) t ltac:(lra)) as (n & Hn & Hb1 & Hb2). specialize (K1 n ltac:(lia)).
+  specialize (K2 n ltac:(lia)). pose proof (tm_from n) as T0. pose proof (E_falls (tm n) t ltac:(lra)) as F1.
+  pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2. destruct (Fp n) as (P1 & Q1), (Fp (S n)) as (P2 & Q2).
+  apply Rabs_def2 in K1. apply Rabs_def2 in K2. assert (t * (E t - Ecr) <= t * F n) by scale.
+  assert (t * F n <= tm (S n) * F n) by scale. assert (t * F (S n) <= t * (E t - Ecr)) by scale.
+  assert (tm n * F (S n) <= t * F (S n)) by scale. apply Rabs_def1; lra.
 Qed.
 (** *** Bounds in the time, from the exit at t0: by what 1/y gains in a cycle, and by how long a cycle takes *)
 Theorem between a Tu t : 0 <= a -> (forall n, a <= / y (S n) - / y n) -> (forall n, 0 < om * cy n <= Tu) -> t0 <= t ->
@@ -197,15 +178,14 @@ Theorem between a Tu t : 0 <= a -> (forall n, a <= / y (S n) - / y n) -> (forall
   / ((E t / Ecr - 1) / q) <= / y 0 + A * (om * (t - t0) / Tl + 1).
 Proof.
   intros Ha Gain Time Hu. destruct (in_cycle 0 t Hu) as (n & _ & B1 & B2). pose proof Ecr_pos as E0.
-  pose proof (y_plus n) as Y0. pose proof (y_plus (S n)) as Y1. pose proof (tm_from n) as T0.
-  pose proof (E_falls (tm n) t ltac:(lra)) as F1. pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2.
-    rewrite exit_level in F1, F2.
+  pose proof (y_plus (S n)) as Y1. pose proof (tm_from n) as T0. pose proof (E_falls (tm n) t ltac:(lra)) as F1.
+  pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2. rewrite exit_level in F1, F2.
   set (yt := (E t / Ecr - 1) / q). assert (EY : E t = Ecr * (1 + q * yt)) by (unfold yt; field; lra).
   rewrite EY in F1, F2. apply Rmult_le_reg_l in F1; auto. apply Rmult_le_reg_l in F2; auto.
   assert (G1 : yt <= y n) by (apply Rmult_le_reg_l with q; [auto|lra]).
-    assert (G2 : y (S n) <= yt) by (apply Rmult_le_reg_l with q; [auto|lra]).
+  assert (G2 : y (S n) <= yt) by (apply Rmult_le_reg_l with q; [auto|lra]).
   assert (I1 : / y n <= / yt) by (apply Rinv_le_contravar; lra).
-    assert (I2 : / yt <= / y (S n)) by (apply Rinv_le_contravar; lra). split.
+  assert (I2 : / yt <= / y (S n)) by (apply Rinv_le_contravar; lra). split.
   - assert (Gains : forall i, / y 0 + INR i * a <= / y i).
     { induction i as [|i IH]; [simpl INR; lra|]. rewrite S_INR. specialize (Gain i). lra. }
     assert (Times : forall i, om * (tm i - t0) <= INR i * Tu).
@@ -228,8 +208,7 @@ Lemma y_below n : y n <= y 0.
 Proof. induction n; [lra|]. pose proof (ReturnMap.y_falls r r_pos ph ph_pi y_step n) as F. unfold y in *. lra. Qed.
 Lemma push_below n : hh (ph n) <= hh p.
 Proof.
-  pose proof (y_below n) as Y. unfold y in Y. pose proof (hh_pos _ (ph_pi n)).
-  pose proof (hh_pos _ (ph_pi 0)) as P0. change (ph 0) with p in *. nra.
+  pose proof (y_below n) as Y. unfold y in Y. pose proof (hh_pos _ (ph_pi 0)) as P0. change (ph 0) with p in *. nra.
 Qed.
 (** with simple constants *)
 Theorem two_sided_ray t : let del := 6 * sqrt q * hh p in let kap := 9 / 4 * r in t0 <= t ->
@@ -238,7 +217,7 @@ Theorem two_sided_ray t : let del := 6 * sqrt q * hh p in let kap := 9 / 4 * r i
     del) + 1)).
 Proof.
   intros del kap Hu. pose proof (sinc_pos _ (ph_pi 0)) as S0. change (ph 0) with p in S0.
-  assert (K0 : 0 < kap) by (unfold kap; lra). assert (S12 : 0 < (sin p / p) ^ 12) by positive.
+  assert (K0 : 0 < kap) by positive. assert (S12 : 0 < (sin p / p) ^ 12) by positive.
   assert (Time : forall n, PI - del <= om * cy n <= PI + del).
   { intros n. pose proof (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)) as Q. apply Rabs_inv in Q.
     fold M in Q. fold q om in Q. pose proof (push_below n). pose proof (sqrt_pos q).

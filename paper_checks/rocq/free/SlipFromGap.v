@@ -12,17 +12,16 @@ Lemma ct_falls p q : 0 < p -> p < q -> q < PI -> ct q < ct p.
 Proof.
   intros. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin_gt_0 q ltac:(lra) ltac:(lra)) as S'.
   assert (E : ct p - ct q = sin (q - p) / (sin p * sin q)). { rewrite sin_minus. unfold ct. field. lra. }
-  assert (0 < sin (q - p) / (sin p * sin q)).
-    { apply Rdiv_lt_0_compat; [apply sin_gt_0; lra|apply Rmult_lt_0_compat; auto]. }
-  lra.
+  assert (0 < sin (q - p) / (sin p * sin q)) by (apply Rdiv_lt_0_compat;
+    [apply sin_gt_0; lra|apply Rmult_lt_0_compat; auto]). lra.
 Qed.
 Lemma ct_atan c : ct (PI / 2 - atan c) = c.
 Proof. unfold ct. rewrite sin_shift, cos_shift. apply tan_atan. Qed.
 (** h - d cot increases from -oo to +oo: one root *)
 Lemma push_incr d p q : 0 <= d -> 0 < p -> p < q -> q < PI -> push d p < push d q.
 Proof.
-  intros Hd H0 Hpq Hq. pose proof (hh_incr p q H0 Hpq Hq). pose proof (ct_falls p q H0 Hpq Hq).
-  unfold push. assert (d * ct q <= d * ct p) by scale. lra.
+  intros Hd H0 Hpq Hq. pose proof (hh_incr p q H0 Hpq Hq). pose proof (ct_falls p q H0 Hpq Hq). unfold push.
+  assert (d * ct q <= d * ct p) by nra. lra.
 Qed.
 (** what is below u at one angle is u at another *)
 Lemma push_ex d u p0 : 0 < p0 < PI -> push d p0 < u -> {p | 0 < p < PI /\ push d p = u}.
@@ -47,8 +46,8 @@ Proof.
     assert (0 < atan c) by (rewrite <- atan_0; apply atan_increasing; auto). set (p0 := PI / 2 - atan c).
     destruct (push_ex d u p0) as (p & P); [unfold p0; lra| |exists p; auto].
     assert (hh p0 < hh (PI / 2)) as Hh by (apply hh_incr; unfold p0; lra).
-    replace (hh (PI / 2)) with (PI / 2) in Hh by (unfold hh; rewrite sin_PI2, cos_PI2; field).
-    unfold push. unfold p0 at 2. rewrite ct_atan, Ec. lra. }
+    replace (hh (PI / 2)) with (PI / 2) in Hh by (unfold hh; rewrite sin_PI2, cos_PI2; field). unfold push.
+    unfold p0 at 2. rewrite ct_atan. lra. }
   destruct Ex as (p & Hp & E). exists p. split; [auto|]. intros p' (Hp' & E').
   destruct (Rtotal_order p p') as [Lt|[|Gt]]; auto; exfalso.
   - pose proof (push_incr d p p' ltac:(lra) ltac:(lra) Lt ltac:(lra)). lra.
@@ -59,15 +58,7 @@ Lemma push_0 p : push 0 p = hh p. Proof. unfold push. ring. Qed.
 
 (** A1: theta - u = h + k D, with D = c + d, k = cot p, theta = 2 p, u = h - k d *)
 Theorem next_push d p : 0 < p < PI -> 2 * p - push d p = hh p + ct p * (depth p + d).
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  unfold push, hh, ct, depth. apply Rmult_eq_reg_r with (sin p ^ 2); [|apply pow_nonzero; lra].
-  replace ((2 * p - ((p - sin p * cos p) / sin p ^ 2 - d * (cos p / sin p))) * sin p ^ 2)
-    with (2 * p * (sin p * sin p) - (p - sin p * cos p) + d * cos p * sin p) by (field; lra).
-  replace (((p - sin p * cos p) / sin p ^ 2 + cos p / sin p * (2 * (sin p - p * cos p) / sin p + d)) * sin p ^ 2)
-    with (p - sin p * cos p + 2 * cos p * sin p - 2 * p * (cos p * cos p) + d * cos p * sin p) by (field; lra).
-  replace (sin p * sin p) with (1 - cos p * cos p) by lra. ring.
-Qed.
+Proof. intros Hp. unfold push, hh, ct, depth. trig p. Qed.
 
 Section Gap.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -83,13 +74,6 @@ Definition at_gap k d u (x v1 v2 : R -> R) t := k * x t = L * (1 + q * d) /\ k *
 (** an exit ray is a gap of 0 *)
 Lemma ray_gap k u x v1 v2 t : on_ray m1 m2 a2 b k u x v1 v2 t <-> at_gap k 0 u x v1 v2 t.
 Proof. unfold on_ray, at_gap. rewrite Rmult_0_r, Rplus_0_r, Rmult_1_r. tauto. Qed.
-(** the mirror image *)
-Lemma gap_mirror k d u x v1 v2 t : at_gap k d u x v1 v2 t <->
-  at_gap (- k) d u (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) t.
-Proof.
-  unfold at_gap. lra.
-Qed.
-
 (** the slip from a gap: place of body 1 *)
 Definition Gx d u t := b / a2 + b * m1 / (a2 * m2) * ((1 + d) * cos (o1 * t) + u * sin (o1 * t)).
 (** its speed *)
@@ -135,23 +119,13 @@ Lemma gap_end d p : 0 < p < PI -> let D := depth p + d in
   Gx d (push d p) (2 * p / o1) = L * (1 - q * D) /\
   G1 d (push d p) (2 * p / o1) = - ray (hh p + ct p * D) /\ G2 (push d p) (2 * p / o1) = - ray (hh p + ct p * D).
 Proof.
-  intros Hp D. assert (O : 0 < o1) by (apply o1_pos; auto). pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
-  pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
+  intros Hp D. assert (O : 0 < o1) by (apply o1_pos; auto).
   assert (A1 : push d p - 2 * p = - (hh p + ct p * D)) by (unfold D; rewrite <- next_push; auto; ring).
-  unfold Gx, G1, G2. replace (o1 * (2 * p / o1)) with (2 * p) by (field; lra). rewrite cos_2a_sin, sin_2a.
-  assert (U : push d p * (sin p * sin p) = p - sin p * cos p - d * (sin p * cos p)) by (unfold push, hh, ct;
-    field; lra).
-  assert (E1 : push d p * (1 - 2 * sin p * sin p) - (1 + d) * (2 * sin p * cos p) = push d p - 2 * p) by lra.
-  assert (E2 : (1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p) = 1 - D).
-  { unfold D, depth. apply Rmult_eq_reg_r with (sin p); [|lra].
-    replace ((1 - (2 * (sin p - p * cos p) / sin p + d)) * sin p) with (sin p - 2 * (sin p - p * cos p) - d * sin
-      p) by (field; lra).
-    replace (((1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p)) * sin p)
-      with ((1 + d) * (sin p - 2 * sin p * (sin p * sin p)) + 2 * cos p * (push d p * (sin p * sin p))) by ring.
-        rewrite U.
-    replace (sin p * sin p) with (1 - cos p * cos p) by lra. ring. }
-  rewrite E1, E2, A1. unfold ray, Cycle.ray. fold o1. split; [|split; ring].
-  unfold L, Stick.L, q, M. field. repeat split; lra.
+  assert (E1 : push d p * (1 - 2 * sin p * sin p) - (1 + d) * (2 * sin p * cos p) = push d p - 2 * p)
+    by (unfold push, hh, ct; trig p). assert (E2 : (1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p) =
+    1 - D) by (unfold D, push, hh, ct, depth; trig p). unfold Gx, G1, G2.
+  replace (o1 * (2 * p / o1)) with (2 * p) by (field; lra). rewrite cos_2a_sin, sin_2a, E1, E2, A1.
+  unfold ray, Cycle.ray. fold o1. split; [|split; ring]. unfold L, Stick.L, q, M. field. repeat split; lra.
 Qed.
 
 (** the energy at X = 1 - q D and the speed ray w: E_cr (1 + q y'), y' = w^2 - 2 D + q D^2 *)
@@ -182,19 +156,11 @@ Proof.
     assert (T0 : 0 < 2 * p / o1) by positive.
   assert (F : forall u, 0 <= u <= 2 * p / o1 -> k * x (t0 + u) = Gx d (push d p) u /\
     k * v1 (t0 + u) = G1 d (push d p) u /\ k * v2 (t0 + u) = G2 (push d p) u).
-  { assert (C : forall y w1 w2 z, solution m1 m2 0 a2 b y w1 w2 z -> at_gap 1 d (push d p) y w1 w2 t0 ->
-      forall u, 0 <= u <= 2 * p / o1 -> y (t0 + u) = Gx d (push d p) u /\ w1 (t0 + u) = G1 d (push d p) u /\
-        w2 (t0 + u) = G2 (push d p) u).
-    { intros y w1 w2 z S (Ex & Ey & Ez). rewrite Rmult_1_l in Ex, Ey, Ez.
-      apply (follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb y w1 w2 z _ _ _ _ _ t0 S (gap_arc d p Hd Hp) Ht).
-      - rewrite Ex. unfold Gx. rewrite Rmult_0_r, cos_0, sin_0. unfold L, Stick.L, q, M. field. lra.
-      - rewrite Ey. unfold G1, ray, Cycle.ray. fold o1. rewrite Rmult_0_r, cos_0, sin_0. ring.
-      - rewrite Ez. unfold G2, ray, Cycle.ray. fold o1. ring. }
-    intros u Hu. destruct Hk; subst k.
-    - destruct (C x v1 v2 s H HG u Hu) as (A & B & E). rewrite <- A, <- B, <- E. repeat split; ring.
-    - apply gap_mirror in HG. replace (- -1) with 1 in HG by ring.
-      destruct (C _ _ _ _ (mirror m1 m2 a2 b _ _ _ _ H) HG u Hu) as (A & B & E). cbv beta in A, B, E.
-        rewrite <- A, <- B, <- E. repeat split; ring. }
+  { destruct HG as (Ex & Ey & Ez). apply (follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb _ _ _ _ _ _ _ _ _ t0 (sided m1 m2 a2 b k _ _
+      _ _ Hk H) (gap_arc d p Hd Hp) Ht).
+    - rewrite Ex. unfold Gx. rewrite Rmult_0_r, cos_0, sin_0. unfold L, Stick.L, q, M. field. lra.
+    - rewrite Ey. unfold G1, ray, Cycle.ray. fold o1. rewrite Rmult_0_r, cos_0, sin_0. ring.
+    - rewrite Ez. unfold G2, ray, Cycle.ray. fold o1. ring. }
   destruct (gap_end d p Hp) as (Lx & L1 & L2). fold D in Lx, L1, L2.
     destruct (F (2 * p / o1) ltac:(lra)) as (A & B & C). fold t1 in A, B, C.
   rewrite Lx in A. rewrite L1 in B. rewrite L2 in C. split; [exact F|]. split.
@@ -202,6 +168,16 @@ Proof.
     replace (t0 + (t - t0)) with t in A', B' by ring. rewrite A', B'. apply gap_sign; auto. unfold t1 in Hu; lra. }
   repeat (split; [auto; fail|]). rewrite <- (gap_energy p d). fold D. rewrite <- A. rewrite <- B at 1. rewrite <- C.
   unfold energy. destruct Hk; subst k; field.
+Qed.
+
+(** it ends in S0 if it goes no further than the width of S0 *)
+Lemma lands k y d p : k = 1 \/ k = -1 -> 0 <= d -> 0 < p < PI -> k * y = L * (1 - q * (depth p + d)) ->
+  depth p + d <= 2 / q -> - L <= y <= L.
+Proof.
+  intros Hk Hd Hp E HD. pose proof (depth_pos p Hp). pose proof (q_pos m1 m2 Hm1 Hm2) as Q0. fold M q in Q0.
+  pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0. apply Rle_div_r in HD; [|lra].
+  assert (0 < q * (depth p + d)) by (apply Rmult_lt_0_compat; lra).
+  assert (- L <= k * y <= L) by (rewrite E; split; nra). destruct Hk; subst k; lra.
 Qed.
 
 (** Existence: every push, from every gap d > 0, has its one half angle, so every such slip is covered. *)
@@ -227,16 +203,15 @@ Theorem crossing k x v1 v2 s t0 d p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x
     (forall t, t1 < t < t1 + 2 * p' / o1 -> k * v2 t < k * v1 t) /\ v1 (t1 + 2 * p' / o1) = v2 (t1 + 2 * p' / o1).
 Proof.
   intros Hk H Ht Hd Hp HG HD t1 d' u'. assert (O : 0 < o1) by (apply o1_pos; auto).
-    assert (T0 : 0 < 2 * p / o1) by positive.
+  assert (T0 : 0 < 2 * p / o1) by positive.
   destruct (gap_slip k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & Sg & A & B & C & _). fold t1 in Sg, A, B, C.
-  assert (D0 : 0 < d') by (unfold d'; lra). assert (U : u' = hh p + ct p * (depth p + d)) by (apply next_push; auto).
-  assert (Q0 : 0 < q) by (apply q_pos; auto). assert (G : at_gap (- k) d' u' x v1 v2 t1).
-  { rewrite <- U in B, C. unfold at_gap. split; [|split; lra].
-    replace (- k * x t1) with (- (k * x t1)) by ring. rewrite A. unfold d'. field. lra. }
-  assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra).
-  repeat (split; [auto; fail|]). destruct (push_root d' u' D0) as (p' & (Hp' & E) & Un). exists p'.
-    split; [auto|]. split; [auto|]. split.
-  - intros p2 Hp2 E2. symmetry. apply Un; auto.
+  assert (D0 : 0 < d') by positive. assert (U : u' = hh p + ct p * (depth p + d)) by (apply next_push; auto).
+  assert (Q0 : 0 < q) by positive. assert (G : at_gap (- k) d' u' x v1 v2 t1).
+  { rewrite <- U in B, C. split; [|split; lra]. replace (- k * x t1) with (- (k * x t1)) by ring. rewrite A. unfold d'.
+    field. lra. }
+  assert (Hk' : - k = 1 \/ - k = -1) by lra. repeat (split; [auto; fail|]).
+  destruct (push_root d' u' D0) as (p' & (Hp' & E) & Un). exists p'. split; [auto|]. split; [auto|]. split.
+  - symmetry. apply Un; auto.
   - rewrite <- E in G. destruct (gap_slip (- k) x v1 v2 s t1 d' p' Hk' H ltac:(unfold t1;
     lra) ltac:(lra) Hp' G) as (_ & S2 & _ & B2 & C2 & _).
     split; [intros t Hu; specialize (S2 t Hu); lra|]. destruct Hk; subst k; lra.
@@ -246,30 +221,17 @@ End Gap.
 (** derivatives in p: h' = c (1 + k^2), k' = -(1 + k^2), c' = 2 h; so (h + 2 k/q)' = (c - 2/q)(1 + k^2) (twice the one
     in theta) *)
 Lemma inv_sin2 p : 0 < p < PI -> 1 + ct p ^ 2 = / sin p ^ 2.
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC.
-    unfold Rsqr in SC. unfold ct.
-  replace (1 + (cos p / sin p) ^ 2) with ((sin p * sin p + cos p * cos p) / sin p ^ 2) by (field; lra).
-    rewrite SC. field. lra.
-Qed.
+Proof. intros Hp. unfold ct. trig p. Qed.
 (** 1 - h k = c (1 + k^2) / 2 *)
 Lemma half_depth p : 0 < p < PI -> depth p * (1 + ct p ^ 2) = 2 * (1 - hh p * ct p).
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  rewrite inv_sin2 by auto. unfold hh, ct, depth. apply Rmult_eq_reg_r with (sin p ^ 3); [|apply pow_nonzero; lra].
-  replace (2 * (1 - (p - sin p * cos p) / sin p ^ 2 * (cos p / sin p)) * sin p ^ 3)
-    with (2 * (sin p * (sin p * sin p + cos p * cos p) - p * cos p)) by (field; lra). rewrite SC. field. lra.
-Qed.
+Proof. intros Hp. unfold hh, ct, depth. trig p. Qed.
 
 (** the level after a slip is the level before it minus r c (c + 2 d) *)
 Lemma level_loss m1 m2 p d : 0 < m1 -> 0 < m2 -> 0 < p < PI ->
   level m1 m2 p d = push d p ^ 2 + 2 * d + m1 / (m1 + m2) * d ^ 2 - m2 / (m1 + m2) * (depth p * (depth p + 2 * d)).
 Proof.
-  intros H1 H2 Hp. pose proof (half_depth p Hp) as I. unfold level, push. cbv zeta.
-  replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra). set (q := m1 / (m1 + m2)).
-  set (c := depth p) in *. set (h := hh p) in *. set (k := ct p) in *. clearbody c h k q.
-  apply Rminus_diag_uniq. rewrite <- (Rmult_0_r (c + 2 * d)).
-  replace 0 with (c * (1 + k ^ 2) - 2 * (1 - h * k)) at 1 by lra. ring.
+  intros H1 H2 Hp. unfold level, push. replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra).
+  generalize (m1 / (m1 + m2)). intros q. unfold hh, ct, depth. trig p.
 Qed.
 (** with no gap that of the return map *)
 Lemma level_0 m1 m2 p : 0 < m1 -> 0 < m2 -> 0 < p < PI -> level m1 m2 p 0 = hh p ^ 2 - m2 / (m1 + m2) * depth p ^ 2.
@@ -296,8 +258,7 @@ Theorem slip x v1 v2 s t0 p : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < 
 Proof.
   intros H Ht Hp HR. apply ray_gap in HR. rewrite <- (push_0 p) in HR.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb 1 x v1 v2 s t0 0 p (or_introl eq_refl) H Ht (Rle_refl 0) Hp HR)
-    as (_ & Sg & A & B & C & _).
-  pose proof (next_push 0 p Hp) as N. rewrite push_0 in N. rewrite <- N in B, C. rewrite Rplus_0_r in A.
+    as (_ & Sg & A & B & C & _). pose proof (next_push 0 p Hp) as N. rewrite push_0 in N. rewrite <- N in B, C.
   fold o1 in Sg, A, B, C. fold L M in A. fold q in A. unfold ray, Cycle.ray in *.
   split; [intros u Hu; specialize (Sg (t0 + u) ltac:(lra)); lra|]. repeat split; lra.
 Qed.

@@ -20,8 +20,7 @@ Proof. intros; unfold o1; rewrite sqrt_div_alt by lra; field; apply Rgt_not_eq, 
 
 (** [tie-ray] The speed on an exit ray: $h$, in units of $L\Omega\sqrt q$. *)
 Theorem tie_ray : forall m1 m2 a2 b u : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> ray m1 m2 a2 b u = (u * b * (/ (sqrt a2)) * (sqrt m1) * (/ m2)).
-Proof. intros; unfold ray, o1; rewrite sqrt_div_alt by lra. root m1. root a2.
-  replace m1 with (w * w) by auto. field. lra. Qed.
+Proof. intros; unfold ray, o1; rewrite sqrt_div_alt by lra. root m1. root a2. field. lra. Qed.
 
 (** [tie-slip-place] Slip from the ray: place (driven: of body 2). *)
 Theorem tie_slip_place : forall m1 m2 a2 b d u t : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> Gx m1 m2 a2 b 0 u t = ((b * (/ a2)) + ((ray m1 m2 a2 b u) * (/ (o1 m1 a2)) * (sin (t * (o1 m1 a2)))) + ((/ a2) * (((-1) * b) + ((L m1 m2 a2 b * (1 + m1 / (m1 + m2) * 0)) * a2)) * (cos (t * (o1 m1 a2))))).
@@ -70,8 +69,8 @@ Proof. intros; pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)); unfold next; rewri
 (** [tie-level] The energy level at the end of a slip from the gap $d$. *)
 Theorem tie_level : forall m1 m2 p d : R, 0 < m1 -> 0 < m2 -> 0 < p < PI -> level m1 m2 p d = (((((/ ((-1) + (cos (2 * p)))) * (((-2) * p) + (sin (2 * p)))) + ((-1) * d * (cos p / sin p))) ^ 2) + (2 * d) + (m1 * (d ^ 2) * (/ (m1 + m2))) + ((-1) * (1 + ((-1) * m1 * (/ (m1 + m2)))) * (2 + ((-2) * p * (cos p / sin p))) * (2 + (2 * d) + ((-2) * p * (cos p / sin p))))).
 Proof. intros m1 m2 p d H1 H2 Hp. pose proof (half_depth p Hp) as Id. pose proof (tie_depth p Hp) as Ed.
-  pose proof (tie_half_angle_h p Hp) as Eh. unfold level. unfold ct in *. cbv zeta. rewrite <- Eh.
-  set (k := cos p / sin p) in *. set (h := hh p) in *. set (c := depth p) in *. clearbody k h c.
+  pose proof (tie_half_angle_h p Hp) as Eh. unfold level. unfold ct in *. rewrite <- Eh.
+  set (k := cos p / sin p) in *. set (h := hh p) in *. set (c := depth p) in *.
   replace (-2 * p * k) with (c - 2) by lra. apply Rminus_diag_uniq.
   rewrite <- (Rmult_0_r (c + 2 * d)). replace 0 with (c * (1 + k ^ 2) - 2 * (1 - h * k)) at 1 by lra. unfold Rdiv. ring. Qed.
 
@@ -84,8 +83,7 @@ Theorem tie_stick_rotation : forall z v e rho : R, 0 < rho -> v <= 0 -> 0 <= e -
   cos (acos (- / rho) - acos (z / rho)) = ((/ ((v ^ 2) + (z ^ 2))) * (((-1) * z) + ((-1) * v * e))) /\
   sin (acos (- / rho) - acos (z / rho)) = ((/ ((v ^ 2) + (z ^ 2))) * (((-1) * v) + (z * e))).
 Proof. intros z v e rho R V E Z O.
-  assert (I : / rho * rho = 1) by (apply Rinv_l; lra). assert (P : 0 < / rho) by (apply Rinv_0_lt_compat; auto).
-  assert (B1 : -1 <= - / rho <= 1) by (split; nra). assert (B2 : -1 <= z / rho <= 1) by (unfold Rdiv; split; nra).
+  assert (I : / rho * rho = 1) by (apply Rinv_l; lra). assert (P : 0 < / rho) by positive. assert (B1 : -1 <= - / rho <= 1) by nra. assert (B2 : -1 <= z / rho <= 1) by nra.
   rewrite cos_minus, sin_minus, !cos_acos, !sin_acos by auto.
   assert (S1 : sqrt (1 - (- / rho)²) = e / rho).
   { rewrite <- (sqrt_Rsqr (e / rho)) by (apply Rmult_le_pos; lra). f_equal. unfold Rsqr, Rdiv.
@@ -93,13 +91,11 @@ Proof. intros z v e rho R V E Z O.
   assert (S2 : sqrt (1 - (z / rho)²) = - v / rho).
   { rewrite <- (sqrt_Rsqr (- v / rho)) by (apply Rmult_le_pos; lra). f_equal. unfold Rsqr, Rdiv.
     replace (- v * / rho * (- v * / rho)) with ((rho ^ 2 - z ^ 2) * / rho * / rho) by (rewrite <- Z; ring). field. lra. }
-  rewrite S1, S2. assert (N : 0 < z ^ 2 + v ^ 2) by (rewrite Z; nra).
-  split; (replace (v ^ 2 + z ^ 2) with (rho ^ 2) by (rewrite <- Z; ring)); field; lra. Qed.
+  rewrite S1, S2. split; (replace (v ^ 2 + z ^ 2) with (rho ^ 2) by (rewrite <- Z; ring)); field; lra. Qed.
 
 (** [tie-rate] The constant of the sharp law, in units of the critical energy. *)
 Theorem tie_rate : forall m1 m2 a2 b : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> rate m1 m2 a2 = ((4 / 9) * PI * m1 * (/ (sqrt a2)) * (/ m2) * (sqrt (m1 + m2))).
-Proof. intros; unfold rate; rewrite sqrt_div_alt by lra. root (m1 + m2). root a2.
-  replace (m1 + m2) with (w * w) by auto. replace a2 with (w0 * w0) by auto. field. lra. Qed.
+Proof. intros; unfold rate; rewrite sqrt_div_alt by lra. root a2. field. lra. Qed.
 
 (** [tie-turning-function] The function whose zero is where $h/c$ turns. *)
 Theorem tie_turning_function : forall p : R, K p = (p + ((-1) * (sqrt 2) * (sin p)) + ((-1) * (cos p) * (sin p)) + (p * (sqrt 2) * (cos p))).
@@ -108,7 +104,6 @@ Proof. intros; unfold K; ring. Qed.
 (** [tie-ratio] $h/c$ in the half angle. *)
 Theorem tie_ratio : forall p : R, 0 < p < PI -> ratio p = ((/ (2 + ((-2) * p * (/ (sin p)) * (cos p)))) * (/ ((sin p) ^ 2)) * (p + ((-1) * (cos p) * (sin p)))).
 Proof. intros; pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). pose proof (g_pos p ltac:(lra)).
-  assert (1 - p * (cos p / sin p) = (sin p - p * cos p) / sin p) by (field; lra).
   rewrite ratio_AB by auto. field. repeat split; try lra; nra. Qed.
 
 (** [tie-critical-mass-ratio] The critical mass ratio by the zero of the turning function. *)

@@ -10,12 +10,10 @@ Proof. unfold L. lra. Qed.
 Theorem slips_from_rest x v1 v2 s : solution 1 1 0 200 (1 / 2) x v1 v2 s -> v1 0 = 0 -> v2 0 = 0 -> 5 / 1000 < x 0 ->
   exists T, 0 < T /\ forall t, 0 < t < T -> v1 t < v2 t.
 Proof.
-  intros H V1 V2 X. pose proof half_width_example as Lw.
-  destruct (slips_beyond 1 1 200 (1 / 2) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) x v1 v2 s H 0) as (T & HT &
-    K); try lra.
-  exists T. split; auto. intros t Ht. specialize (K t ltac:(lra)).
-  destruct (Rlt_dec (v1 t) (v2 t)) as [|N]; auto. exfalso. apply Rnot_lt_le in N.
-  assert (x 0 * (v2 t - v1 t) <= 0); [|lra]. assert (0 <= x 0 * (v1 t - v2 t)) by positive. lra.
+  intros H V1 V2 X. pose proof half_width_example as Lw. destruct (slips_beyond 1 1 200 (1 / 2) ltac:(lra) ltac:(lra)
+    ltac:(lra) ltac:(lra) x v1 v2 s H 0) as (T & HT & K); try lra. exists T. split; auto. intros t Ht.
+  specialize (K t ltac:(lra)). destruct (Rlt_dec (v1 t) (v2 t)) as [|N]; auto. exfalso. apply Rnot_lt_le in N.
+  assert (0 <= x 0 * (v1 t - v2 t)) by positive. lra.
 Qed.
 
 (** [slips-from-6-mm] Case study, $b=0.5$: released at rest at 6 mm every solution slips at once. *)
@@ -29,7 +27,7 @@ Theorem rest_inside m1 m2 a2 b x v1 v2 s : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -
 Proof.
   intros H1 H2 Ha Hb H V1 V2 X t Ht. assert (E : energy m1 m2 a2 (x 0) (v1 0) (v2 0) <= Ecr m1 m2 a2 b).
   { rewrite Ecr_L by auto. unfold energy. rewrite V1, V2. assert (x 0 ^ 2 <= L m1 m2 a2 b ^ 2) by nra.
-    assert (a2 * x 0 ^ 2 <= a2 * L m1 m2 a2 b ^ 2) by scale. lra. }
+    assert (a2 * x 0 ^ 2 <= a2 * L m1 m2 a2 b ^ 2) by nra. lra. }
   apply (sticks_iff m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H 0) with (u := t) in E; try lra. rewrite Rplus_0_l in E. exact E.
 Qed.
 (** [sticks-from-5-mm] Case study, $b=0.5$: released at rest up to 5 mm every solution sticks permanently. *)

@@ -64,8 +64,8 @@ Let C := load_rate (E 0).
 Let h0 := least_slip (E 0).
 Let e0 := least_loss (E 0).
 
-Let Mp : 0 < M. Proof. unfold M; lra. Qed.
-Let Kp : 0 < kap. Proof. apply Rdiv_lt_0_compat; nra. Qed.
+Let Mp : 0 < M. Proof. positive. Qed.
+Let Kp : 0 < kap. Proof. positive. Qed.
 
 (** what is known of all motions *)
 Lemma jumping_moves : moves m1 m2 a1 a2 bk (bs / bk) (fun _ => 0) x v1 v2 s.
@@ -140,8 +140,8 @@ Context (c k : R) (Hc : 0 <= c) (Meet : v1 c = v2 c) (Hk' : k = 1 \/ k = -1) (Ed
 (** for a while the load stays well above bk *)
 Lemma load_above t : c <= t <= c + h0 -> (bs + bk) / 2 <= k * ld t.
 Proof.
-  intros Ht. pose proof (load_lip c t ltac:(lra)) as L. apply Rabs_inv in L.
-  assert (C * (t - c) <= C * h0) by scale. destruct Hk'; subst k; lra.
+  intros Ht. pose proof (load_lip c t ltac:(lra)) as L. apply Rabs_inv in L. assert (C * (t - c) <= C * h0) by nra.
+  destruct Hk'; subst k; lra.
 Qed.
 
 (** it does not slip the other way *)
@@ -149,7 +149,7 @@ Lemma not_back t : c <= t <= c + h0 -> 0 <= k * w t.
 Proof.
   intros Ht. cut (- k * w t <= 0); [lra|].
   apply (moves_behind m1 m2 a1 a2 bk Hm1 Hm2 _ _ _ _ _ _ jumping_moves c t (- k)); [lra|lra|rewrite Meet; lra|].
-  intros q Hq. exists 0. split; [eapply rderiv_dini; [|apply rderiv_scal, (rderiv_const 0 q)]; lra|].
+  exists 0. split; [eapply rderiv_dini; [|apply rderiv_scal, (rderiv_const 0 q)]; lra|].
   pose proof (load_above q ltac:(lra)) as La.
   replace (m2 * _) with (- (k * ld q) * (m1 + m2)) by (unfold ld, stick_load; field; lra).
   apply Rmult_le_compat_r; lra.
@@ -181,7 +181,7 @@ Qed.
 (** which costs *)
 Lemma loses p : c <= p <= c + h0 / 2 -> 0 < k * w p -> E (c + h0) <= E c - e0.
 Proof.
-  intros Hp Wp. set (g := kap * ((bs - bk) / 2)). assert (G : 0 < g) by (unfold g; nra).
+  intros Hp Wp. set (g := kap * ((bs - bk) / 2)). assert (G : 0 < g) by positive.
   assert (Q : E (c + h0) + bk * g / 2 * (c + h0 - p) ^ 2 <= E p + bk * g / 2 * (p - p) ^ 2).
   { apply (rderiv_mono (fun t => E t + bk * g / 2 * (t - p) ^ 2) p (c + h0)
       (fun u => (- bk * Rabs (w u) - a1 * v1 u ^ 2) + bk * g * (u - p))); [| lra|].
@@ -218,7 +218,7 @@ Let E t := energy (x t) (v1 t) (v2 t).
 Let ld t := stick_load (x t) (v1 t).
 Let h0 := least_slip (E 0).
 Let e0 := least_loss (E 0).
-Let Kp : 0 < kap. Proof. unfold kap, M. apply Rdiv_lt_0_compat; nra. Qed.
+Let Kp : 0 < kap. Proof. positive. Qed.
 Let H0 : 0 < h0 := slip_pos _ _ _ _ H2.
 Let e0_pos : 0 < e0 := loss_pos _ _ _ _ H2.
 Let falls r t : 0 <= r <= t -> E t <= E r := jumping_decreases _ _ _ _ H2 r t.
@@ -290,7 +290,7 @@ Qed.
 Lemma stuck_or_dearer c : 0 <= c -> v1 c = v2 c ->
   (forall t, c <= t -> v1 t = v2 t) \/ exists t, c <= t /\ E t <= E c - e0.
 Proof.
-  intros Hc Meet. destruct (Classical_Prop.classic (exists t, c <= t /\ E t <= E c - e0)) as [|No]; [auto|left].
+  destruct (Classical_Prop.classic (exists t, c <= t /\ E t <= E c - e0)) as [|No]; [auto|left].
   intros t Ht. assert (Z : w t = 0); [|unfold w in Z; lra].
   assert (C2 : cont (fun u => w u * w u)) by auto using cont_mult.
   apply (onward (fun u => w u = 0) c t); [lra|unfold w; lra| | |lra].

@@ -36,10 +36,7 @@ Qed.
 
 (** a motion of the pair with the friction bk is one with both *)
 Lemma kinetic x v1 v2 s : solution m1 m2 a1 a2 bk x v1 v2 s -> two_frictions m1 m2 a1 a2 bs bk x v1 v2 s.
-Proof.
-  intros [L P N CX CV X V W]. constructor; auto. intros r t Hr. pose proof (L r t Hr).
-  pose proof (Rabs_pos (s t - s r)). assert (bk * (t - r) <= bs * (t - r)) by (apply Rmult_le_compat_r; lra). nra.
-Qed.
+Proof. intros [L P N CX CV X V W]. constructor; auto. intros r t Hr. pose proof (L r t Hr). nra. Qed.
 Lemma kinetic_until T x v1 v2 s : 0 <= T -> solution m1 m2 a1 a2 bk x v1 v2 s -> until T x v1 v2 s.
 Proof.
   intros HT H. destruct (jumping_moves _ _ _ _ _ _ Hk _ _ _ _ (kinetic _ _ _ _ H)) as [L P CX CV X V W].
@@ -52,8 +49,7 @@ Lemma launch x v1 v2 s : solution m1 m2 a1 a2 bk x v1 v2 s -> v1 0 = v2 0 -> bs 
     energy (x q) (v1 q) (v2 q) <= energy (x 0) (v1 0) (v2 0) - least_loss m1 m2 a1 a2 bs bk (energy (x 0) (v1 0) (v2 0)).
 Proof.
   intros H Meet Edge. pose proof (kinetic _ _ _ _ H) as H2. set (w := fun t => v1 t - v2 t).
-  set (E := fun t => energy (x t) (v1 t) (v2 t)). change (energy (x 0) (v1 0) (v2 0)) with (E 0).
-  set (h0 := least_slip m1 m2 a1 a2 bs bk (E 0)).
+  set (E := fun t => energy (x t) (v1 t) (v2 t)). set (h0 := least_slip m1 m2 a1 a2 bs bk (E 0)).
   pose proof (slip_pos m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ H2 : 0 < h0) as H0.
   assert (Side : exists k, (k = 1 \/ k = -1) /\ bs <= k * load (x 0) (v1 0)).
   { unfold Rabs in Edge. destruct (Rcase_abs (load (x 0) (v1 0))); [exists (-1)|exists 1]; split; auto; lra. }
@@ -63,7 +59,7 @@ Proof.
   pose proof (loses m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ H2 0 k (Rle_refl 0) Hk' Ek) as Dear.
   rewrite Rplus_0_l in Back, Fast, Dear. change (least_slip _ _ _ _ _ _ _) with h0 in Back, Fast, Dear.
   pose proof (jumping_moves _ _ _ _ _ _ Hk _ _ _ _ H2) as Mv. set (kap := (m1 + m2) / (m1 * m2)) in *.
-  assert (Kp : 0 < kap) by (unfold kap; apply Rdiv_lt_0_compat; nra).
+  assert (Kp : 0 < kap) by positive.
   (* it does not stay in contact *)
   assert (Soon : forall d, 0 < d -> d <= h0 -> exists p, 0 < p <= d /\ 0 < k * w p).
   { intros d Hd Hd'. apply Classical_Prop.NNPP. intros No.
@@ -71,7 +67,7 @@ Proof.
     { intros u Hu. destruct (Req_dec u 0) as [->|Nu]; [unfold w; lra|].
       pose proof (Back u ltac:(lra)) as B. fold (w u) in B. destruct (Rlt_dec 0 (k * w u)) as [Lt|].
       - exfalso. apply No. exists u. split; [lra|auto].
-      - destruct Hk'; subst k; lra. }
+      - nra. }
     pose proof (moves_slip m1 m2 a1 a2 bk Hm1 Hm2 _ _ _ _ _ _ Mv 0 0 (Rle_refl 0) (rderiv_const 0 0)) as Rs.
     assert (Ds : rderiv s 0 (load (x 0) (v1 0) / bk)).
     { apply rderiv_near with (fun r => / (bk * kap) * (v1 r - v2 r + bk * kap * s r)) d; auto.
@@ -96,7 +92,7 @@ Proof.
     + pose proof (Sl u ltac:(lra)) as P. rewrite Zu in P. lra.
   - pose proof (Dear (h0 / 2) ltac:(lra) (Pos (h0 / 2) ltac:(lra))) as L.
     pose proof (jumping_decreases m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Hk _ _ _ _ H2 h0 q ltac:(lra)) as D.
-    rewrite (Rplus_0_l h0) in L. cbv beta in D. exact (Rle_trans _ _ _ D L).
+    rewrite (Rplus_0_l h0) in L. exact (Rle_trans _ _ _ D L).
 Qed.
 
 (** *** a stick with a load below bs: for ever, or until the load is bs *)
@@ -107,8 +103,7 @@ Proof.
   { intros k Hk'. apply (moves_behind m1 m2 a1 a2 bs Hm1 Hm2 _ _ _ _ _ _ H 0 t k); [lra|auto|rewrite Meet; lra|].
     intros u Hu. exists 0. split; [eapply rderiv_dini; [|apply rderiv_scal, (rderiv_const 0 u)]; lra|].
     pose proof (Low u ltac:(lra)) as L. apply Rabs_def2 in L.
-    replace (m2 * _) with (k * load (x u) (v1 u) * (m1 + m2)) by (unfold load, stick_load; field; lra).
-    apply Rmult_le_compat_r; [lra|]. destruct Hk'; subst k; lra. }
+    replace (m2 * _) with (k * load (x u) (v1 u) * (m1 + m2)) by (unfold load, stick_load; field; lra). nra. }
   pose proof (Key 1 ltac:(auto)). pose proof (Key (-1) ltac:(auto)). lra.
 Qed.
 
@@ -119,7 +114,7 @@ Proof.
   intros H St. assert (Eb : forall y, bk * (bs / bk * y) = bs * y) by (intros; field; lra). constructor.
   - intros r t Hr _. replace (bs / bk * s t - bs / bk * s r) with (bs / bk * (s t - s r)) by ring.
     apply abs_scal; [apply Rlt_le, Rdiv_lt_0_compat; lra|apply (s_lip _ _ _ _ _ _ _ _ _ H); auto].
-  - intros t Ht k _ Kw. exfalso. rewrite St in Kw by auto. lra.
+  - intros t Ht k _ Kw. rewrite St in Kw by auto. lra.
   - apply (s_cx _ _ _ _ _ _ _ _ _ H).
   - apply (s_cv _ _ _ _ _ _ _ _ _ H).
   - intros t Ht. apply (s_x _ _ _ _ _ _ _ _ _ H). lra.
@@ -131,29 +126,26 @@ Qed.
 (** the cost falls with the energy *)
 Lemma loss_less e e' : 0 <= e <= e' -> least_loss m1 m2 a1 a2 bs bk e' <= least_loss m1 m2 a1 a2 bs bk e.
 Proof.
-  intros He. assert (Mp : 0 < m2 / (m1 + m2)) by (apply Rdiv_lt_0_compat; lra).
+  intros He. assert (Mp : 0 < m2 / (m1 + m2)) by positive.
   assert (Rt : forall c, 0 < c -> 0 <= sqrt (2 * e / c) <= sqrt (2 * e' / c)).
-  { intros c Hc. split; [apply sqrt_pos|]. apply sqrt_le_1_alt. apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|lra]. }
+  { split; [apply sqrt_pos|]. apply sqrt_le_1_alt.
+    apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|lra]. }
   pose proof (Rt m1 Hm1) as R1. pose proof (Rt a2 Ha2) as R2.
   assert (Ld : 0 <= load_rate m1 m2 a1 a2 bs e <= load_rate m1 m2 a1 a2 bs e').
-  { unfold load_rate. assert (I : 0 < / m1) by (apply Rinv_0_lt_compat; auto).
-    assert (S1 : 0 <= a2 * sqrt (2 * e / m1) <= a2 * sqrt (2 * e' / m1)) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra]).
-    assert (S2 : 0 <= a2 * sqrt (2 * e / a2) <= a2 * sqrt (2 * e' / a2)) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra]).
-    assert (S3 : 0 <= a1 * sqrt (2 * e / m1) <= a1 * sqrt (2 * e' / m1)) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra]).
+  { assert (I : 0 < / m1) by positive. assert (S1 : 0 <= a2 * sqrt (2 * e / m1) <= a2 * sqrt (2 * e' / m1)) by nra.
+    assert (S2 : 0 <= a2 * sqrt (2 * e / a2) <= a2 * sqrt (2 * e' / a2)) by nra.
+    assert (S3 : 0 <= a1 * sqrt (2 * e / m1) <= a1 * sqrt (2 * e' / m1)) by nra.
     assert (S4 : 0 <= a1 * ((a2 * sqrt (2 * e / a2) + a1 * sqrt (2 * e / m1) + bs) / m1) <= a1 * ((a2 * sqrt (2 * e' / a2) + a1 * sqrt (2 * e' / m1) + bs) / m1)).
-    { unfold Rdiv at 1 4. split; [apply Rmult_le_pos; auto; apply Rmult_le_pos; lra|]. apply Rmult_le_compat_l; auto.
+    { split; [apply Rmult_le_pos; auto; apply Rmult_le_pos; lra|]. apply Rmult_le_compat_l; auto.
       apply Rmult_le_compat_r; lra. }
     split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra]. }
-  assert (Dp : 0 < (bs - bk) * sqrt (a2 / m1)) by (apply Rmult_lt_0_compat; [lra|apply sqrt_lt_R0, Rdiv_lt_0_compat; auto]).
-  unfold least_loss, least_slip. set (D := (bs - bk) * sqrt (a2 / m1)) in *.
-  set (l := load_rate m1 m2 a1 a2 bs e) in *. set (l' := load_rate m1 m2 a1 a2 bs e') in *.
-  assert (Sl : 0 <= (bs - bk) / (2 * l' + D) <= (bs - bk) / (2 * l + D)).
+  assert (Dp : 0 < (bs - bk) * sqrt (a2 / m1)) by positive. unfold least_loss, least_slip.
+  set (D := (bs - bk) * sqrt (a2 / m1)) in *. set (l := load_rate m1 m2 a1 a2 bs e) in *.
+  set (l' := load_rate m1 m2 a1 a2 bs e') in *. assert (Sl : 0 <= (bs - bk) / (2 * l' + D) <= (bs - bk) / (2 * l + D)).
   { split; [apply Rlt_le, Rdiv_lt_0_compat; lra|]. apply Rmult_le_compat_l; [lra|]. apply Rinv_le_contravar; lra. }
-  assert (((bs - bk) / (2 * l' + D)) ^ 2 <= ((bs - bk) / (2 * l + D)) ^ 2) by (apply pow_incr; auto).
-  assert (0 < (m1 + m2) / (m1 * m2)) by (apply Rdiv_lt_0_compat; nra).
-  assert (0 <= bk * ((m1 + m2) / (m1 * m2)) * (bs - bk)).
-  { apply Rmult_le_pos; [apply Rmult_le_pos; lra|lra]. }
-  apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; auto.
+  assert (((bs - bk) / (2 * l' + D)) ^ 2 <= ((bs - bk) / (2 * l + D)) ^ 2) by nra.
+  assert (0 < (m1 + m2) / (m1 * m2)) by positive. assert (0 <= bk * ((m1 + m2) / (m1 * m2)) * (bs - bk)) by positive.
+  nra.
 Qed.
 
 (** from contacts, by the number of slips that the energy can pay for *)
@@ -191,8 +183,8 @@ Proof.
       apply cont_ext with (fun t => - (m2 * a2 / (m1 + m2)) * x t - m2 * a1 / (m1 + m2) * v1 t).
       { intros; unfold load, stick_load; field; lra. }
       apply cont_minus; apply cont_scal; [apply (s_cx _ _ _ _ _ _ _ _ _ H)|apply (s_cv _ _ _ _ _ _ _ _ _ H)]. }
-    assert (F0 : 0 < f 0) by (unfold f; rewrite X0, V10; lra).
-    assert (Fq' : f q <= 0) by (unfold f; lra). assert (Fq : f 0 * f q <= 0) by (apply (Rmult_le_compat_l (f 0)) in Fq'; lra).
+    assert (F0 : 0 < f 0) by (unfold f; rewrite X0, V10; lra). assert (Fq' : f q <= 0) by (unfold f; lra).
+    assert (Fq : f 0 * f q <= 0) by nra.
     destruct (first_zero f 0 q Cf ltac:(lra) Fq ltac:(lra)) as (T & HT & ZT & Before).
     assert (Lt : forall t, 0 <= t < T -> Rabs (load (x t) (v1 t)) < bs).
     { intros t Ht. specialize (Before t Ht).
@@ -215,7 +207,7 @@ Proof.
         apply (s_cv _ _ _ _ _ _ _ _ _ H)|intros t Ht; apply (u_x _ _ _ _ _ _ _ _ _ _ _ _ (U (t + 1))); lra|
         intros t Ht; apply (u_v1 _ _ _ _ _ _ _ _ _ _ _ _ (U (t + 1))); lra|
         intros t Ht; apply (u_v2 _ _ _ _ _ _ _ _ _ _ _ _ (U t)); lra].
-    + intros t Ht _ _. exists 1. split; [lra|]. intros u Hu. apply Stay. lra.
+    + exists 1. split; [lra|]. intros u Hu. apply Stay. lra.
 Qed.
 End Paid.
 
@@ -225,18 +217,16 @@ End Paid.
     *)
 Theorem sticks_kept x0 p q : exists x v1 v2 s, jumping x v1 v2 s /\ x 0 = x0 /\ v1 0 = p /\ v2 0 = q.
 Proof.
-  change (starts x0 p q). set (e := energy x0 p q).
+  set (e := energy x0 p q).
   destruct (existence m1 m2 a1 a2 bk x0 p q Hm1 Hm2 Ha1 Ha2 Hk) as (x & v1 & v2 & s & H & X0 & V10 & V20).
-  pose proof (solution_moving _ _ _ _ _ _ _ _ _ H) as Mv.
-  assert (Pay : 0 < least_loss m1 m2 a1 a2 bs bk e).
+  pose proof (solution_moving _ _ _ _ _ _ _ _ _ H) as Mv. assert (Pay : 0 < least_loss m1 m2 a1 a2 bs bk e).
   { pose proof (loss_pos m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ (kinetic _ _ _ _ H)) as L.
     cbv beta in L. rewrite X0, V10, V20 in L. exact L. }
   assert (All : forall n y v, energy y v v <= e -> energy y v v <= INR n * least_loss m1 m2 a1 a2 bs bk e -> starts y v v).
   { induction n as [|n IH]; intros y v He Hn; apply (from_contact e _) with (2 := Hn) || idtac; auto.
-    - apply (from_contact e O); auto. intros y' v' _ Neg. exfalso. simpl in Neg.
+    - apply (from_contact e O); auto. intros y' v' _ Neg. simpl in Neg.
       pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 y' v' v'). unfold energy in Neg. lra.
-    - apply (from_contact e (S n)); auto. intros y' v' He' Hn'. apply IH; auto. rewrite S_INR in Hn'.
-      replace (INR n + 1 - 1) with (INR n) in Hn' by ring. exact Hn'. }
+    - apply (from_contact e (S n)); auto. intros y' v' He' Hn'. apply IH; auto. rewrite S_INR in Hn'. lra. }
   assert (Con : forall y v, energy y v v <= e -> starts y v v).
   { intros y v He. destruct (nat_above e _ Pay) as (n & Hn). apply (All n); lra. }
   destruct (Req_dec p q) as [<-|Npq]; [apply Con; unfold e; lra|].
@@ -248,7 +238,7 @@ Proof.
   destruct (first_zero w 0 t Cw ltac:(lra)) as (T & HT & ZT & Before); [unfold w at 2; rewrite Zt; lra|auto|].
   assert (St : starts (x 0) (v1 0) (v2 0)); [|rewrite X0, V10, V20 in St; exact St].
   apply (piece_first T x v1 v2 s); [lra|apply kinetic_until; auto; lra| |].
-  - intros u Hu Meet _. exfalso. specialize (Before u Hu). unfold w in Before at 2. rewrite Meet in Before. lra.
+  - intros u Hu Meet _. specialize (Before u Hu). unfold w in Before at 2. rewrite Meet in Before. lra.
   - assert (M : v1 T = v2 T) by (unfold w in ZT; lra). rewrite <- M. apply Con.
     pose proof (free_decreases m1 m2 a1 a2 bk Hm1 Hm2 Ha1 Hk _ _ _ _ _ Mv 0 T ltac:(lra)) as D. cbv beta in D.
     rewrite <- M, X0, V10, V20 in D. exact D.

@@ -32,9 +32,9 @@ Theorem literal_reference (v : R -> R) x0 : (exists u x, switching m1 m2 a1 a2 b
 Proof.
   split.
   - intros (u & x & Sw & _). apply forced_switching_iff in Sw; auto. destruct Sw as (F & L). split; [apply F|].
-    generalize (almost_and _ _ L (stuck_at m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ F)).
-    apply almost_impl. intros t _ (Lt & St). destruct (St eq_refl) as (c & _ & D & _ & Ld & _). exists c. split; [auto|].
-    specialize (Lt eq_refl). rewrite Ld, Rabs_mult, (Rabs_pos_eq m2) in Lt by lra. undivide m2. lra.
+    generalize (almost_and _ _ L (stuck_at m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ F)). apply almost_impl.
+    intros t _ (Lt & St). destruct (St eq_refl) as (c & _ & D & _ & Ld & _). exists c. split; [auto|].
+    rewrite Ld, Rabs_mult, (Rabs_pos_eq m2) in Lt by lra. undivide m2. lra.
   - intros (Av & Sm). exists (push_of x0 v (Derive v)), (place x0 v).
     split; [|unfold place; rewrite integral_0; ring]. apply literal_force; auto; revert Sm; apply almost_impl;
       intros t _ (c & D & Hc); [apply Derive_correct; eexists; exact D|rewrite (is_derive_unique _ _ _ D); auto].
@@ -59,9 +59,8 @@ Theorem literal_transfer m1 m2 a1 a2 b x0 y0 D T : 0 < m1 -> 0 < m2 -> 0 <= a1 -
   x 0 = x0 /\ v 0 = 0 /\ y 0 = y0 /\ forall t, T <= t -> v t = 0 /\ y t = y0 + D.
 Proof.
   intros Hm1 Hm2 Ha1 Ha2 Hb HT. set (tau := T / 2). set (A := D / tau ^ 2).
-  assert (Q0 : 0 <= m2 * Rabs D / b) by (pose proof (Rabs_pos D); positive).
-  pose proof (sqrt_pos (m2 * Rabs D / b)) as Sp. assert (Ht : 0 < tau) by (unfold tau; lra).
-  assert (Lim : Rabs A < b / m2).
+  assert (Q0 : 0 <= m2 * Rabs D / b) by positive. pose proof (sqrt_pos (m2 * Rabs D / b)) as Sp.
+  assert (Ht : 0 < tau) by positive. assert (Lim : Rabs A < b / m2).
   { assert (Q : m2 * Rabs D / b < tau ^ 2).
     { rewrite <- (sqrt_sqrt (m2 * Rabs D / b)) by auto. unfold tau in *. nra. }
     unfold A. rewrite Rabs_div, (Rabs_pos_eq (tau ^ 2)) by (try apply pow2_ge_0; nra).
@@ -96,10 +95,10 @@ Proof.
   set (U := fun t => (m1 + m2) * v t + (a1 * x t + a2 * integral x t)). exists u, U, x, v, y. split; [split|].
   { apply ac_plus; [apply ac_scal; auto|]. apply ac_plus; apply ac_scal; [exact (ac_of_rderiv x v Cx Cv Rx)|].
     apply (ac_of_rderiv (integral x) x); auto using integral_cont. intros t Ht'. apply integral_rderiv; auto. }
-  { generalize (almost_and _ _ almost_later Dv). apply almost_impl. intros t _ (Pt & Dt). unfold U, u.
-    pose proof (derive_of_rderiv x v t Cx Cv Rx Pt) as Dx.
-    pose proof (derive_of_rderiv (integral x) x t (integral_cont x Cx) Cx (fun r Hr => integral_rderiv x r Cx Hr) Pt) as Di.
-    rewrite Rplus_assoc. apply (is_derive_plus (fun t => (m1 + m2) * v t)); [apply (is_derive_scal v); auto|].
+  { generalize (almost_and _ _ almost_later Dv). apply almost_impl. intros t _ (Pt & Dt). unfold u.
+    pose proof (derive_of_rderiv x v t Cx Cv Rx Pt) as Dx. pose proof (derive_of_rderiv (integral x) x t (integral_cont
+      x Cx) Cx (fun r Hr => integral_rderiv x r Cx Hr) Pt) as Di. rewrite Rplus_assoc.
+    apply (is_derive_plus (fun t => (m1 + m2) * v t)); [apply (is_derive_scal v); auto|].
     apply (is_derive_plus (fun t => a1 * x t)); [apply (is_derive_scal x)|apply (is_derive_scal (integral x))]; auto. }
   split.
   { revert Line. apply almost_impl. intros t _ (Pt & d & Hd & K).
@@ -116,8 +115,8 @@ Proof.
       [apply rderiv_const|]. apply rderiv_scal, rderiv_minus; [apply rderiv_run|apply rderiv_const]. }
   split.
   { assert (Cz : forall z, cont (fun t => (t - z) * Rabs (t - z))).
-    { intros z. assert (Cl : cont (fun t => t - z)); [|apply cont_mult, cont_abs; auto].
-      apply (lip_cont _ 1); [lra|]. intros r t Hr. replace (t - z - (r - z)) with (t - r) by ring. rewrite Rabs_pos_eq; lra. }
+    { intros z. assert (Cl : cont (fun t => t - z)); [|apply cont_mult, cont_abs; auto]. apply (lip_cont _ 1); [lra|].
+      intros r t Hr. rewrite Rabs_pos_eq; lra. }
     apply cont_plus; [apply cont_const|]. apply cont_scal, cont_minus; [|apply cont_const].
     apply cont_ext with (fun t => / 4 * ((t - 2 * tau) * Rabs (t - 2 * tau) + (t - 0) * Rabs (t - 0) - 2 * ((t - tau) *
       Rabs (t - tau)))); [intros; unfold run; field|].

@@ -6,7 +6,7 @@ From InertialPair Require Import Dini Forced ModeAtContact AlmostEverywhere Fili
 (** the three-valued sign, eq. (1) *)
 Definition sgn r := if Rlt_dec 0 r then 1 else if Rlt_dec r 0 then -1 else 0.
 Lemma sgn_cases r : (0 < r /\ sgn r = 1) \/ (r < 0 /\ sgn r = -1) \/ (r = 0 /\ sgn r = 0).
-Proof. unfold sgn. destruct (Rlt_dec 0 r); [auto|]. destruct (Rlt_dec r 0); [auto|]. right; right. split; lra. Qed.
+Proof. unfold sgn. destruct (Rlt_dec 0 r); [auto|]. destruct (Rlt_dec r 0); [auto|]. lra. Qed.
 
 Section Switching.
 Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -44,9 +44,8 @@ Proof.
       * replace ((u t - a2 * x t - a1 * v1 t - b * -1) / m1) with a by (rewrite <- E3; field; lra); auto.
       * replace (b * -1 / m2) with a' by (apply Rmult_eq_reg_l with m2; [field_simplify; lra|lra]); auto.
     + rewrite Rabs_R0 in E3, E4. assert (Eq : a = a') by (apply Same; auto; lra). subst a'.
-      assert (Small : Rabs a < b / m2).
-      { destruct (sgn_cases (Rabs a - b / m2)) as [(L & Z)|[(L & Z)|(L & Z)]]; [exfalso|lra|exfalso];
-          rewrite Z in E4; assert (a = 0) as -> by nra; rewrite Rabs_R0 in L; lra. }
+      assert (Small : Rabs a < b / m2) by (destruct (sgn_cases (Rabs a - b / m2)) as [(L & Z)|[(L & Z)|(L & Z)]];
+        [exfalso|lra|exfalso]; rewrite Z in E4; assert (a = 0) as -> by nra; rewrite Rabs_R0 in L; lra).
       apply Rabs_def2 in Small. assert (m2 * (b / m2) = b) by (field; lra).
       assert (Ld : load u x v1 t = m2 * a) by (unfold load, ModeAtContact.load; rewrite <- E3; field; lra).
       split; [|intros _; rewrite Ld; apply Rabs_def1; nra]. exists (m2 * a / b).
@@ -57,13 +56,13 @@ Proof.
     set (a := (u t - a2 * x t - a1 * v1 t - b * g) / m1) in *. exists a, (b * g / m2).
     split; [auto|split; [auto|split; [auto|]]].
     destruct (sgn_cases (v1 t - v2 t)) as [(W & S)|[(W & S)|(W & S)]]; rewrite S.
-    + assert (g = 1) by (apply Gp; lra). subst g. rewrite Rabs_R1. unfold a. split; field; lra.
-    + assert (g = -1) by (apply Gn; lra). subst g. rewrite (Rabs_left (-1)) by lra. unfold a. split; field; lra.
+    + assert (g = 1) by lra. subst g. rewrite Rabs_R1. unfold a. split; field; lra.
+    + assert (g = -1) by lra. subst g. rewrite (Rabs_left (-1)) by lra. unfold a. split; field; lra.
     + rewrite Rabs_R0. assert (Eq : a = b * g / m2) by (apply Same; auto; lra).
       assert (E3 : (m1 + m2) * a + a1 * v1 t + a2 * x t = u t).
       { rewrite Rmult_plus_distr_r. rewrite Eq at 2. unfold a. field; lra. }
       assert (Ld : load u x v1 t = m2 * a) by (unfold load, ModeAtContact.load; rewrite <- E3; field; lra).
-      specialize (Small ltac:(lra)). rewrite Ld in Small. apply Rabs_def2 in Small.
+      specialize (Small ltac:(lra)). apply Rabs_def2 in Small.
       assert (Sm : Rabs a < b / m2) by (assert (m2 * (b / m2) = b) by (field; lra); apply Rabs_def1; nra).
       destruct (sgn_cases (Rabs a - b / m2)) as [(L & Z)|[(L & Z)|(L & Z)]]; try lra. rewrite Z. split; [lra|].
       rewrite <- Eq. field.
@@ -81,7 +80,7 @@ Proof.
         apply (switched_iff u x v1 v2 t S); auto.
     - intros (A & B). pose proof (almost_and _ _ Sr (almost_and _ _ A B)) as C. revert C. apply almost_impl.
       intros t _ (S & W). apply (switched_iff u x v1 v2 t S); auto. }
-  unfold switching, filippov, Filippov.filippov. rewrite I. tauto.
+  unfold switching, filippov, Filippov.filippov. tauto.
 Qed.
 
 (** at almost all times of a stick of Coulomb's law the load is what body 2 is given, and no more than b *)
@@ -119,10 +118,9 @@ Proof.
   split; [|exact Only]. pose proof (forced_filippov m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb u U x v1 v2 s HU H Cu) as F. split.
   - intros (x' & v1' & v2' & Sw & X & V & W). pose proof (Only x' v1' v2' Sw X V W) as Eq.
     apply forced_switching_iff in Sw. revert Sw. intros (_ & L). revert L. apply almost_impl. intros t Ht L E.
-    destruct (Eq t Ht) as (Ex & Ev & Ew). unfold load, ModeAtContact.load in *. rewrite Ex, Ev, Ew in L. specialize (L E). lra.
+    destruct (Eq t Ht) as (Ex & Ev & Ew). unfold load, ModeAtContact.load in *. rewrite Ex, Ev in L. lra.
   - intros N. exists x, v1, v2. split; [|auto]. apply forced_switching_iff. split; [auto|].
-    apply (almost_impl _ _) with (2 := almost_and _ _ N (load_within _ _ _ _ F)). intros t _ (Ne & Le) E.
-    specialize (Ne E). specialize (Le E). lra.
+    apply (almost_impl _ _) with (2 := almost_and _ _ N (load_within _ _ _ _ F)). intros t _ (Ne & Le) E. lra.
 Qed.
 
 (** [switching-iff] The absolutely continuous solutions of (3), (4) without a control, met at almost all times, are
@@ -130,12 +128,13 @@ Qed.
 Theorem switching_iff x v1 v2 : switching (fun _ => 0) x v1 v2 <-> filippov (fun _ => 0) x v1 v2.
 Proof.
   rewrite forced_switching_iff. split; [tauto|]. intros F. split; [auto|].
-  set (p := fun k t => a2 * x t + a1 * v1 t + k * (b * (m1 + m2) / m2)). set (q := fun k t => v1 t + k * (a1 * b / (a2 * m2))).
+  set (p := fun k t => a2 * x t + a1 * v1 t + k * (b * (m1 + m2) / m2)).
+  set (q := fun k t => v1 t + k * (a1 * b / (a2 * m2))).
   pose proof (almost_and _ _ (almost_no_simple_zero (p 1)) (almost_no_simple_zero (q 1))) as N1.
   pose proof (almost_and _ _ (almost_no_simple_zero (p (-1))) (almost_no_simple_zero (q (-1)))) as N2.
   apply (almost_impl _ _) with (2 := almost_and _ _ (almost_and _ _ N1 N2) (stuck_at _ _ _ _ F)).
   intros t _ (((P1 & Q1) & P2 & Q2) & St) E. destruct (St E) as (a & Dx & D1 & _ & Ld & Bd).
-  destruct (Rle_lt_or_eq_dec _ _ Bd) as [|Ed]; [rewrite Ld; auto|]. exfalso.
+  destruct (Rle_lt_or_eq_dec _ _ Bd) as [|Ed]; [rewrite Ld; auto|].
   assert (exists k, (k = 1 \/ k = -1) /\ m2 * a = k * b) as (k & Hk & Ea).
   { unfold Rabs in Ed. destruct (Rcase_abs (m2 * a)); [exists (-1)|exists 1]; split; auto; lra. }
   assert (Ux : Derive (fun r => x r) t = v1 t) by (apply is_derive_unique, Dx).
@@ -150,7 +149,7 @@ Proof.
   assert (Zq : q k t = 0).
   { unfold q. apply Rmult_eq_reg_l with a2; [|lra]. rewrite Rmult_0_r, <- Z.
     replace a with (k * b / m2) by (rewrite <- Ea; field; lra). field. lra. }
-  assert (a = 0) by (destruct Hk; subst k; [apply Q1|apply Q2]; auto). subst a. destruct Hk; subst k; nra.
+  assert (a = 0) by (destruct Hk; subst k; [apply Q1|apply Q2]; auto). destruct Hk; subst k; nra.
 Qed.
 
 (** [momentum-balance] Every solution of (3), (4) has $m_1\dot v_1+a_1v_1+a_2x_1+m_2\dot v_2=u$ at almost every time:

@@ -42,12 +42,11 @@ Theorem transversal_beyond y k : (k = 1 \/ k = -1) -> (L < y -> normal_rate k y 
   0 < normal_rate k y).
 Proof.
   intros Hk. assert (P : 0 < / (m1 * m2)) by positive.
-  assert (Lm : L * (a2 * m2) = b * (m1 + m2)) by (unfold L, Stick.L; field; lra).
-  assert (A0 : 0 < a2 * m2) by positive. unfold normal_rate, Rdiv. split; intros Hy.
-  - assert (L * (a2 * m2) < y * (a2 * m2)) by scale.
-    assert (0 < (a2 * m2 * y + k * b * (m1 + m2)) * / (m1 * m2)) by (apply Rmult_lt_0_compat; auto; destruct Hk;
-      subst k; nra). lra.
-  - assert (y * (a2 * m2) < - L * (a2 * m2)) by scale. apply Rmult_lt_0_compat; auto. destruct Hk; subst k; nra.
+  assert (Lm : L * (a2 * m2) = b * (m1 + m2)) by (unfold L, Stick.L; field; lra). assert (A0 : 0 < a2 * m2) by positive.
+  unfold normal_rate. split; intros Hy.
+  - assert (0 < (a2 * m2 * y + k * b * (m1 + m2)) * / (m1 * m2))
+      by (apply Rmult_lt_0_compat; auto; destruct Hk; subst k; nra). lra.
+  - apply Rmult_lt_0_compat; auto. destruct Hk; subst k; nra.
 Qed.
 (** [transversal-inside] Both fields point back to $S$ exactly in the interior of $S_0$, back or along it exactly on
     $S_0$. *)
@@ -79,7 +78,7 @@ Proof.
   intros Hk Ht Ev Hx Hv. pose proof (o1_pos m1 a2 Hm1 Ha2) as O.
   set (u := k * v1 t * (m2 * o1 m1 a2) / b). assert (Hu : 0 < u) by positive.
   destruct (half_ex u Hu) as (p & Hp & Ep). assert (HR : on_ray m1 m2 a2 b k (hh p) x v1 v2 t).
-  { unfold on_ray, ray. rewrite Ep, <- Ev. fold L. unfold u. repeat split; auto; field; repeat split; lra. }
+  { unfold on_ray, ray. rewrite Ep, <- Ev. unfold u. repeat split; auto; field; repeat split; lra. }
   destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t p Hk Ht Hp HR) as (Sg & _).
   exists (2 * p / o1 m1 a2). split; [positive|exact Sg].
 Qed.
@@ -93,9 +92,8 @@ Proof.
   { exists 1. split; [lra|]. intros u Hu.
     apply (sticks_iff m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t Ht Ev) with (u := u - t) in Lo; [|lra].
     replace (t + (u - t)) with u in Lo by ring. exact Lo. }
-  apply Rnot_le_lt in Hi. assert (EQ : 0 < Ecr * q) by positive.
-  assert (U : 0 < (E t - Ecr) / (Ecr * q)) by positive. set (u := sqrt ((E t - Ecr) / (Ecr * q))).
-  assert (Hu : 0 < u) by positive. assert (En : E t = Ecr * (1 + q * u ^ 2)).
+  apply Rnot_le_lt in Hi. assert (U : 0 < (E t - Ecr) / (Ecr * q)) by positive.
+  set (u := sqrt ((E t - Ecr) / (Ecr * q))). assert (Hu : 0 < u) by positive. assert (En : E t = Ecr * (1 + q * u ^ 2)).
   { unfold u. replace (sqrt ((E t - Ecr) / (Ecr * q)) ^ 2)
       with (sqrt ((E t - Ecr) / (Ecr * q)) * sqrt ((E t - Ecr) / (Ecr * q))) by ring.
     rewrite sqrt_sqrt by lra. field. lra. }

@@ -8,9 +8,7 @@ Definition K p := (p - sin p * cos p) - sqrt 2 * (sin p - p * cos p).
 Definition k p := 2 * sin p - sqrt 2 * p.
 
 Lemma derive_K p : is_derive K p (sin p * k p).
-Proof.
-  unfold K, k. auto_derive; auto. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. generalize (sqrt 2); intros q. nra.
-Qed.
+Proof. unfold K, k. auto_derive; auto. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. nra. Qed.
 Lemma cont_K : cont K. Proof. eapply cont_of_derive. apply derive_K. Qed.
 Lemma cont_k : cont k.
 Proof. apply cont_of_derive with (fun p => 2 * cos p - sqrt 2). intros t. unfold k. auto_derive; auto. ring. Qed.
@@ -24,31 +22,17 @@ Qed.
 
 Lemma turn : exists p1, 0 < p1 < PI /\ (forall t, 0 < t < p1 -> 0 < k t) /\ (forall t, p1 < t < PI -> k t < 0).
 Proof.
-  pose proof PI_RGT_0 as P0. pose proof PI2_1 as P1. assert (S2 : 1 < sqrt 2). { rewrite <- sqrt_1 at 1.
-    apply sqrt_lt_1; lra. }
+  pose proof PI2_1 as P1. pose proof (sqrt_sqrt 2 ltac:(lra)). pose proof (sqrt_pos 2).
+  assert (S2 : 1 < sqrt 2 < 3 / 2) by nra.
+  assert (E : forall t, 0 < t -> k t = 2 * t * (sin t / t - sqrt 2 / 2)) by (intros; unfold k; field; lra).
   destruct (cont_IVT k (1 / 2) PI cont_k) as (p1 & Hp & Z); [lra| |].
-  { assert (k PI < 0) by (unfold k; rewrite sin_PI; nra). assert (0 < k (1 / 2)); [|nra]. unfold k.
-      pose proof (sinc_strict (1 / 2) (PI / 2) ltac:(lra) ltac:(lra) ltac:(lra)) as Q.
-    rewrite sin_PI2 in Q. pose proof PI_4. assert (1 / 2 <= 1 / (PI / 2)).
-    { undivide (PI / 2). lra. }
-    assert (sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra). assert (sqrt 2 < 3 / 2) by nra.
-    (* sin(1/2) > 3/8 : from sin u >= u - u^3/6 *)
-    assert (3 / 8 < sin (1 / 2)).
-    { cut (0 <= sin (1 / 2) - (1 / 2 - (1 / 2) ^ 3 / 6)); [lra|].
-      apply (from_zero (fun u => sin u - (u - u ^ 3 / 6)) (fun u => cos u - (1 - u ^ 2 / 2)) 1); [|  | |lra].
-      - intros t; auto_derive; auto. field.
-      - intros t Ht. pose proof (sin_below (t / 2) ltac:(lra)). replace t with (2 * (t / 2)) at 1 by field.
-        rewrite cos_2a_sin. pose proof (sin_pos (t / 2) ltac:(lra)). nra.
-      - rewrite sin_0. field. }
-    lra. }
-  assert (p1 < PI). { destruct (Req_dec p1 PI) as [->|]; [|lra]. unfold k in Z. rewrite sin_PI in Z. nra. }
-  assert (E : sin p1 / p1 = sqrt 2 / 2). { apply Rmult_eq_reg_r with (2 * p1); [|lra].
-    replace (sin p1 / p1 * (2 * p1)) with (2 * sin p1) by (field; lra). unfold k in Z. lra. }
-  exists p1. repeat split; try lra; intros t Ht.
-  - pose proof (sinc_strict t p1 ltac:(lra) ltac:(lra) ltac:(lra)) as Q. rewrite E in Q. unfold k.
-    assert (sin t / t * t = sin t) by (field; lra). nra.
-  - pose proof (sinc_strict p1 t ltac:(lra) ltac:(lra) ltac:(lra)) as Q. rewrite E in Q. unfold k.
-    assert (sin t / t * t = sin t) by (field; lra). nra.
+  { pose proof (sin_above (1 / 2) ltac:(lra)). assert (0 < k (1 / 2)) by (unfold k; lra).
+    assert (k PI < 0) by (unfold k; rewrite sin_PI; nra). nra. }
+  assert (p1 < PI) by (destruct (Req_dec p1 PI) as [->|]; [unfold k in Z; rewrite sin_PI in Z; nra|lra]).
+  rewrite E in Z by lra. apply Rmult_integral in Z. exists p1. repeat split; try lra; intros t Ht; rewrite E by lra.
+  - pose proof (sinc_strict t p1 ltac:(lra) ltac:(lra) ltac:(lra)). apply Rmult_lt_0_compat; lra.
+  - pose proof (sinc_strict p1 t ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (0 < 2 * t * (sqrt 2 / 2 - sin t / t)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
 (** [turning-point] The turning function has one zero $\varphi^*$ in $(0,\pi]$. *)
@@ -58,9 +42,8 @@ Proof.
   destruct turn as (p1 & H1 & Up & Down). assert (S2 : 1 < sqrt 2). { rewrite <- sqrt_1 at 1. apply sqrt_lt_1; lra. }
   assert (K0 : K 0 = 0) by (unfold K; rewrite sin_0; ring).
   assert (KP : K PI < 0). { unfold K. rewrite sin_PI, cos_PI. nra. } assert (A : forall q, 0 < q <= p1 -> 0 < K q).
-  { intros q Hq. destruct (mvt_K 0 q ltac:(lra)) as (t & Ht & E). rewrite K0 in E.
-    pose proof (Up t ltac:(lra)). pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)).
-    assert (0 < sin t * k t) by positive. nra. }
+  { intros q Hq. destruct (mvt_K 0 q ltac:(lra)) as (t & Ht & E). pose proof (Up t ltac:(lra)).
+    pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)). assert (0 < sin t * k t) by positive. nra. }
   assert (B : forall u v, p1 <= u -> u < v -> v <= PI -> K v < K u).
   { intros u v Hu Huv Hv. destruct (mvt_K u v Huv) as (t & Ht & E).
     pose proof (Down t ltac:(lra)). pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)).
@@ -70,6 +53,13 @@ Proof.
   exists p. repeat split; auto; try lra.
   - intros q Hq. destruct (Rle_dec q p1); [apply A; lra|]. rewrite <- Z. apply B; lra.
   - intros q Hq. rewrite <- Z. apply B; lra.
+Qed.
+
+(** it alone is this zero *)
+Lemma signs p : 0 < p <= PI -> K p = 0 -> (forall q, 0 < q < p -> 0 < K q) /\ (forall q, p < q <= PI -> K q < 0).
+Proof.
+  intros Hp Z. destruct root as (p' & Hp' & Z' & Le & Ri). assert (p' = p) as ->; [|auto].
+  destruct (Rtotal_order p p') as [L|[|L]]; auto; [specialize (Le p ltac:(lra))|specialize (Ri p ltac:(lra))]; lra.
 Qed.
 
 (** *** the ratio h/c and the threshold of merging *)
@@ -85,13 +75,8 @@ Lemma derive_ratio p : 0 < p < PI ->
   is_derive (fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p))) p
     ((2 * (sin p - p * cos p) ^ 2 - (p - sin p * cos p) ^ 2) / (2 * sin p ^ 2 * (sin p - p * cos p) ^ 2)).
 Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp) as G.
-  auto_derive. { repeat split; auto. assert (0 < 2 * sin p * (sin p - p * cos p)) by nra. lra. }
-  pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. set (s := sin p) in *. set (c := cos p) in *. clearbody s c.
-  assert (Main : 2 * s ^ 3 * (s - p * c) - (p - s * c) * (c * (s - p * c) + p * s ^ 2) = 2 * (s - p * c) ^ 2 - (p
-    - s * c) ^ 2).
-  { rewrite ?pow2e, ?pow3e. nsatz. }
-  rewrite <- Main. replace (1 + - (1 * c * c + s * (1 * - s))) with (2 * s * s) by lra. field. lra.
+  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp) as G. auto_derive; [nra|].
+  circle p. field_simplify_eq; [simpl; nsatz|lra].
 Qed.
 
 (** h/c falls strictly while K > 0 and rises strictly while K < 0 *)
@@ -105,33 +90,29 @@ Proof.
     p) ^ 2)).
   destruct (MVT_cor2 f df p q Hpq) as (t & E & Ht). { intros t Ht. apply is_derive_Reals, derive_ratio; lra. }
   assert (Den : 0 < / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)).
-  { apply Rinv_0_lt_compat. pose proof (pow_lt _ 2 (sin_gt_0 t ltac:(lra) ltac:(lra))).
-    pose proof (pow_lt _ 2 (g_pos t ltac:(lra))). apply Rmult_lt_0_compat; [|auto]. lra. }
+  { pose proof (pow_lt _ 2 (sin_gt_0 t ltac:(lra) ltac:(lra))). pose proof (pow_lt _ 2 (g_pos t ltac:(lra))).
+    positive. }
   assert (Sq : 2 * (sin t - t * cos t) ^ 2 - (t - sin t * cos t) ^ 2 = - K t * (t - sin t * cos t + sqrt 2 * (sin
     t - t * cos t))).
   { unfold K. pose proof (sqrt_sqrt 2 ltac:(lra)) as Q.
     replace (2 * (sin t - t * cos t) ^ 2) with (sqrt 2 * sqrt 2 * (sin t - t * cos t) ^ 2) by (rewrite Q; ring). ring. }
   assert (Pos : 0 < t - sin t * cos t + sqrt 2 * (sin t - t * cos t)).
-  { pose proof (A_pos t ltac:(lra)). pose proof (g_pos t ltac:(lra)).
-    assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra). nra. }
+  { pose proof (A_pos t ltac:(lra)). pose proof (g_pos t ltac:(lra)). assert (0 < sqrt 2) by positive. nra. }
   assert (Ed : df t = - K t * ((t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t
     * cos t) ^ 2))).
-  { unfold df, Rdiv. rewrite Sq. ring. }
-  assert (PP := Rmult_lt_0_compat _ _ Pos Den). rewrite Ed in E.
-    set (w := (t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)) in *.
+  { unfold df. nra. }
+  rewrite Ed in E.
+  set (w := (t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)) in *.
   split; intros S; specialize (S t Ht).
   - assert (0 < K t * w * (q - p)) by positive. lra.
   - assert (0 < - K t * w * (q - p)) by positive. lra.
 Qed.
 
 (** so it is least at the zero of K *)
-Theorem ratio_least p q : K p = 0 -> 0 < p < PI -> (forall u, 0 < u < p -> 0 < K u) -> (forall u, p < u <= PI ->
-  K u < 0) ->
-  0 < q < PI -> ratio p <= ratio q.
+Theorem ratio_least p q : 0 < p < PI -> K p = 0 -> 0 < q < PI -> ratio p <= ratio q.
 Proof.
-  intros Z Hp Le Ri Hq. destruct (Rtotal_order q p) as [Lt|[->|Gt]]; [|lra|]; apply Rlt_le.
-  - apply (ratio_step q p); [lra|lra|lra|]. intros t Ht. apply Le. lra.
-  - apply (ratio_step p q); [lra|lra|lra|]. intros t Ht. apply Ri. lra.
+  intros Hp Z Hq. destruct (signs p ltac:(lra) Z) as (Le & Ri). destruct (Rtotal_order q p) as [Lt|[->|Gt]]; [|lra|];
+    apply Rlt_le; [apply (ratio_step q p)|apply (ratio_step p q)]; try lra; intros t Ht; [apply Le|apply Ri]; lra.
 Qed.
 
 (** there it is known *)
@@ -159,19 +140,15 @@ Proof.
   { intros q Hq Zq. destruct (Rtotal_order q p) as [Lt|[|Gt]]; auto;
     [pose proof (Le q ltac:(lra))|pose proof (Ri q ltac:(lra))]; lra. }
   split; [|split].
-  - intros r Hr Hlt q Hq. rewrite Rel by auto. pose proof (ratio_least p q Z Hp' Le Ri Hq) as Q.
-    assert (0 < ratio p). { unfold ratio. apply Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto. }
-    assert (ratio p ^ 2 <= ratio q ^ 2) by (apply pow_incr; lra). pose proof (pow_lt _ 2 (depth_pos q Hq)). nra.
-  - intros r Hr. rewrite Rel by auto. rewrite R2. pose proof (pow2_ge_0 (depth p)). nra.
+  - intros r Hr Hlt q Hq. rewrite Rel by auto. pose proof (ratio_least p q Hp' Z Hq) as Q.
+    assert (0 < ratio p) by (apply Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto).
+    assert (ratio p ^ 2 <= ratio q ^ 2) by nra. pose proof (pow_lt _ 2 (depth_pos q Hq)). nra.
+  - intros r Hr. rewrite Rel by auto. nra.
   - intros m1 m2 H1 H2. assert (S2 : 0 < sin p ^ 2) by positive. rewrite cos_2a_sin.
     assert (E1 : m2 / (m1 + m2) * (2 * sin p ^ 2) * (m1 + m2) = 2 * m2 * sin p ^ 2) by (field; lra).
     assert (E2 : m1 / m2 * m2 = m1) by (field; lra).
-      assert (E3 : / (2 * sin p ^ 2) * (2 * sin p ^ 2) = 1) by (field; lra).
+    assert (E3 : / (2 * sin p ^ 2) * (2 * sin p ^ 2) = 1) by (field; lra).
     split; intros Q.
-    + apply Rmult_lt_reg_r with m2; auto. rewrite E2.
-      apply Rmult_lt_compat_r with (r := 2 * sin p ^ 2) in Q; [|lra]. rewrite E3 in Q.
-      apply Rmult_lt_compat_r with (r := m1 + m2) in Q; [|lra]. rewrite E1 in Q. lra.
-    + apply Rmult_lt_compat_r with (r := m2) in Q; auto. rewrite E2 in Q.
-      apply Rmult_lt_reg_r with (2 * sin p ^ 2); [lra|]. rewrite E3. apply Rmult_lt_reg_r with (m1 + m2); [lra|].
-        rewrite E1. lra.
+    + apply Rmult_lt_compat_r with (r := 2 * sin p ^ 2) in Q; [|lra]. nra.
+    + apply Rmult_lt_reg_r with (2 * sin p ^ 2); [lra|]. nra.
 Qed.

@@ -18,15 +18,12 @@ Let sp := level_speed e.
 
 Lemma speed_pos y : - L <= y <= L -> 0 < sp L <= sp y /\ energy m1 m2 a2 y (sp y) (sp y) = e.
 Proof.
-  intros Hy. assert (y ^ 2 <= L ^ 2) by nra. assert (a2 * y ^ 2 <= a2 * L ^ 2) by scale.
+  intros Hy. assert (y ^ 2 <= L ^ 2) by nra. assert (a2 * y ^ 2 <= a2 * L ^ 2) by nra.
   assert (HL : a2 * L ^ 2 < 2 * e) by (unfold Ecr in He; rewrite Ecr_L in He by auto; fold L in He; lra).
   split; [split|].
   - apply sqrt_lt_R0, Rdiv_lt_0_compat; lra.
   - apply sqrt_le_1_alt. apply Rmult_le_compat_r; [positive|lra].
-  - unfold sp, level_speed, energy. replace (a2 * y ^ 2 / 2 + m1 * sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) ^ 2 / 2
-      + m2 * sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) ^ 2 / 2)
-      with (a2 * y ^ 2 / 2 + (m1 + m2) * (sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)) * sqrt ((2 * e - a2 * y ^ 2) / (m1 +
-        m2))) / 2) by field. rewrite sqrt_sqrt; [field; lra|]. apply Rlt_le, Rdiv_lt_0_compat; lra.
+  - unfold sp, level_speed, energy. rewrite pow2_sqrt; [field; lra|]. apply Rdiv_le_0_compat; lra.
 Qed.
 Lemma level_speeds y v : - L <= y <= L -> energy m1 m2 a2 y v v = e <-> v = sp y \/ v = - sp y.
 Proof.
@@ -42,19 +39,13 @@ Lemma run_left x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s -> x 0 = L -> v1 0 = 
     v2 t = - sp (x t)) /\
     (forall r t, 0 <= r < t -> t <= T -> x t < x r) /\ (exists d, 0 < d /\ forall t, T < t < T + d -> v2 t < v1 t).
 Proof.
-  intros H X0 V0 W0. destruct (speed_pos L ltac:(lra)) as ((P & _) & EL). pose proof (q_pos m1 m2 Hm1 Hm2) as Q0.
-    fold q in Q0. assert (E0 : 0 < Ecr) by (apply Ecr_pos; auto). set (u := sqrt ((e / Ecr - 1) / q)).
-  assert (D : 0 < (e / Ecr - 1) / q).
-  { apply Rdiv_lt_0_compat; auto. apply Rmult_lt_reg_l with Ecr; auto.
-    replace (Ecr * (e / Ecr - 1)) with (e - Ecr) by (field; lra). lra. }
-  assert (U : 0 < u) by (apply sqrt_lt_R0; auto). assert (Eu : e = Ecr * (1 + q * u ^ 2)).
-  { unfold u. replace (sqrt ((e / Ecr - 1) / q) ^ 2) with (sqrt ((e / Ecr - 1) / q) * sqrt ((e / Ecr - 1) / q)) by ring.
-    rewrite sqrt_sqrt by lra. field. lra. }
+  intros H X0 V0 W0. destruct (speed_pos L ltac:(lra)) as ((P & _) & EL).
+  destruct (level_push m1 m2 a2 b Hm1 Hm2 Ha2 Hb e He) as (U & Eu). fold q Ecr in U, Eu. set (u := sqrt _) in *.
   assert (E00 : energy m1 m2 a2 (x 0) (v1 0) (v2 0) = e) by (rewrite X0, V0, W0, <- EL; unfold energy; field).
   destruct (to_ray_left m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s 0 u H) as (T & HT & (XT & VT & WT) & St); auto;
     try (fold L; lra).
   { rewrite E00. exact Eu. } fold L in XT, St. pose proof (ray_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb u U) as R0. exists T.
-  assert (T0 : 0 < T) by (destruct (Req_dec T 0) as [Z|]; [rewrite Z, X0 in XT; lra|lra]).
+  assert (T0 : 0 < T) by (destruct (Req_dec T 0) as [Z|]; [rewrite Z, X0 in XT|]; lra).
   assert (ET : energy m1 m2 a2 (x T) (v1 T) (v2 T) = e).
   { rewrite Eu. apply (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 (-1) u x v1 v2 T); [auto|]. repeat split; fold L; lra. }
   assert (Et : forall t, 0 <= t <= T -> energy m1 m2 a2 (x t) (v1 t) (v1 t) = e).
@@ -103,16 +94,17 @@ Proof.
     - apply cont_minus; [exact (s_cx _ _ _ _ _ _ _ _ _ H)|apply cont_const].
     - exists t. split; [auto|lra]. }
   destruct (speed_pos L ltac:(lra)) as ((P & _) & _). destruct (St T ltac:(lra)) as (_ & VT & _).
-  assert (Even : forall y, sp (- y) = sp y) by (intros y; unfold sp, level_speed; do 3 f_equal; ring).
-  rewrite XT, Even in VT. intros k [->| ->].
-  - exists (fun t => - x t), (fun t => - v1 t), (fun t => - v2 t), (fun t => - s t), T.
-    split; [apply mirror, H|]. split; [auto|]. split.
-    + intros t Ht. destruct (St t Ht) as (A & B & C). rewrite Even, B, C. lra.
-    + split; [intros y Hy; destruct (All (- y) ltac:(lra)) as (t & Ht & E); exists t; split; [auto|lra]|].
-      split; [lra|]. split; [lra|]. exists d. split; [auto|]. intros t Ht. specialize (K t Ht). lra.
-  - exists x, v1, v2, s, T. split; [auto|]. split; [auto|]. split.
-    + intros t Ht. destruct (St t Ht) as (A & B & C). lra.
-    + split; [auto|]. split; [lra|]. split; [lra|]. exists d. split; [auto|]. intros t Ht. specialize (K t Ht). lra.
+  assert (Even : forall y z, y ^ 2 = z ^ 2 -> sp y = sp z) by (intros y z E; unfold sp, level_speed; rewrite E; auto).
+  rewrite XT, (Even (- L) L) in VT by ring. intros k Hk.
+  exists (fun t => - k * x t), (fun t => - k * v1 t), (fun t => - k * v2 t), (fun t => - k * s t), T.
+  split; [apply sided; [destruct Hk; [right|left]; lra|auto]|]. split; [auto|]. split; [|split; [|split; [|split]]].
+  - intros t Ht. destruct (St t Ht) as (A & B & C).
+    rewrite (Even (- k * x t) (x t)), B, C by (destruct Hk; subst k; ring). destruct Hk; subst k; lra.
+  - intros y Hy. destruct (All (- k * y)) as (t & Ht & E); [destruct Hk; subst k; lra|]. exists t. split; [auto|].
+    rewrite E. destruct Hk; subst k; ring.
+  - destruct Hk; subst k; lra.
+  - destruct Hk; subst k; lra.
+  - exists d. split; [auto|]. intros t Ht. specialize (K t Ht). destruct Hk; subst k; lra.
 Qed.
 End Level.
 End TwoArcs.

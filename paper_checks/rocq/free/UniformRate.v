@@ -17,8 +17,7 @@ Lemma traced_back v T : 0 < v -> 0 <= T -> exists x v1 v2 s, solution m1 m2 0 a2
   x 0 = b / a2 - v / o1 * sin (o1 * T) /\ v1 0 = v * cos (o1 * T) /\ v2 0 = v + be * T /\ x T = b / a2 /\ v1 T = v /\
     v2 T = v.
 Proof.
-  intros Hv HT. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Bp : 0 < be) by positive.
-  assert (O2 : m1 * (o1 * o1) = a2).
+  intros Hv HT. assert (O : 0 < o1) by (apply o1_pos; auto). assert (O2 : m1 * (o1 * o1) = a2).
   { unfold o1, Cycle.o1. rewrite sqrt_sqrt by positive. field; lra. }
   assert (A : forced_arc m1 m2 0 a2 b T (fun _ => 0) (fun t => b / a2 + v / o1 * sin (o1 * (t - T))) (fun t => v * cos
     (o1 * (t - T))) (fun t => v - be * (t - T)) (fun _ => -1)).
@@ -26,9 +25,8 @@ Proof.
     - intros t. auto_derive; auto. unfold Rminus. field; lra.
     - intros t. auto_derive; auto. rewrite <- O2. unfold Rminus. field; lra.
     - intros t. auto_derive; auto. unfold be. field; lra.
-    - intros t Ht. split; [lra|]. split; [|auto]. intros W. exfalso.
-      pose proof (COS_bound (o1 * (t - T))) as C. assert (v * cos (o1 * (t - T)) <= v * 1) by scale.
-      assert (0 < be * (T - t)) by positive. lra. }
+    - intros t Ht. split; [lra|]. split; [|auto]. intros W. exfalso. pose proof (COS_bound (o1 * (t - T))) as C.
+      assert (v * cos (o1 * (t - T)) <= v * 1) by nra. assert (0 < be * (T - t)) by positive. lra. }
   destruct (arc_begins m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb (fun _ => 0) _ _ _ _ _ T HT (cont_const 0)
     (fun t _ => rderiv_const 0 t) A) as (x & v1 & v2 & s & H & E).
   exists x, v1, v2, s. split; [apply free_case; auto|]. destruct (E 0 ltac:(lra)) as (-> & -> & ->).
@@ -42,24 +40,20 @@ Theorem no_lower_constant E0 e : Ecr < E0 -> 0 < e -> exists x v1 v2 s, solution
   energy (x 0) (v1 0) (v2 0) = E0 /\ (forall t, 0 <= t -> Ecr < energy (x t) (v1 t) (v2 t)) /\
   forall t, sqrt (2 * E0 * m2) / b <= t -> energy (x t) (v1 t) (v2 t) <= Ecr * (1 + e).
 Proof.
-  intros HE He. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Bp : 0 < be) by positive.
-  assert (Ep : 0 < Ecr) by (apply Ecr_pos; auto). set (q := m1 / (m1 + m2)). assert (Q : 0 < q) by positive.
-  set (d := Rmin (Rmin e (4 / 9 * q)) (E0 / Ecr - 1)).
+  intros HE He. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Ep : 0 < Ecr) by (apply Ecr_pos; auto).
+  set (q := m1 / (m1 + m2)). assert (Q : 0 < q) by positive. set (d := Rmin (Rmin e (4 / 9 * q)) (E0 / Ecr - 1)).
   assert (Hd : 0 < d /\ d <= e /\ d <= 4 / 9 * q /\ Ecr * (1 + d) <= E0).
   { assert (K : 0 < E0 / Ecr - 1). { assert (1 < E0 / Ecr); [|lra]. undivide Ecr. lra. }
     assert (d <= Rmin e (4 / 9 * q)) by apply Rmin_l. assert (Rmin e (4 / 9 * q) <= e) by apply Rmin_l.
     assert (Rmin e (4 / 9 * q) <= 4 / 9 * q) by apply Rmin_r. assert (d <= E0 / Ecr - 1) by apply Rmin_r.
     split; [repeat apply Rmin_glb_lt; lra|]. repeat split; try lra.
     replace E0 with (Ecr * (1 + (E0 / Ecr - 1))) by (field; lra). scale. }
-  destruct Hd as (D0 & De & Dq & DE). assert (EL : Ecr = a2 * L ^ 2 / 2) by (apply Ecr_L; auto).
-  assert (HL : 0 < b / a2 <= L).
-  { split; [positive|]. unfold L, Stick.L. undivide (a2 * m2).
-    replace (b / a2 * (a2 * m2)) with (b * m2) by (field; lra). nra. }
+  assert (EL : Ecr = a2 * L ^ 2 / 2) by (apply Ecr_L; auto). assert (HL : 0 < b / a2 <= L).
+  { split; [positive|]. undivide (a2 * m2). replace (b / a2 * (a2 * m2)) with (b * m2) by (field; lra). nra. }
   set (v := sqrt ((2 * (Ecr * (1 + d)) - a2 * (b / a2) ^ 2) / (m1 + m2))).
   assert (Vp : 0 < (2 * (Ecr * (1 + d)) - a2 * (b / a2) ^ 2) / (m1 + m2)).
-  { apply Rdiv_lt_0_compat; [|lra]. assert ((b / a2) ^ 2 <= L ^ 2) by (apply pow_incr; lra).
-    assert (a2 * (b / a2) ^ 2 <= a2 * L ^ 2) by (apply Rmult_le_compat_l; lra).
-    assert (0 < Ecr * d) by (apply Rmult_lt_0_compat; auto). lra. }
+  { apply Rdiv_lt_0_compat; [|lra]. assert ((b / a2) ^ 2 <= L ^ 2) by nra.
+    assert (a2 * (b / a2) ^ 2 <= a2 * L ^ 2) by (apply Rmult_le_compat_l; lra). assert (0 < Ecr * d) by positive. lra. }
   assert (Hv : 0 < v) by positive.
   assert (V2 : v * v = (2 * (Ecr * (1 + d)) - a2 * (b / a2) ^ 2) / (m1 + m2)) by (apply sqrt_sqrt; lra).
   assert (Ec : energy (b / a2) v v = Ecr * (1 + d)).
@@ -74,11 +68,9 @@ Proof.
     auto_derive; auto. field; lra. }
   { lra. }
   { assert (F0 : f 0 <= 0).
-    { unfold f. rewrite !Rmult_0_r, sin_0, cos_0, Rmult_0_r, Rmult_1_r, Rminus_0_r, Rplus_0_r, Ec. lra. }
+    { unfold f. rewrite !Rmult_0_r, sin_0, cos_0, Rmult_0_r, Rmult_1_r, Rminus_0_r, Rplus_0_r. lra. }
     assert (F1 : 0 <= f Tm).
-    { unfold f, energy, Pair.energy. pose proof (pow2_ge_0 (b / a2 - v / o1 * sin (o1 * Tm))).
-      pose proof (pow2_ge_0 (v * cos (o1 * Tm))).
-      assert (B : be * Tm = sqrt (2 * E0 * m2) / m2) by (unfold be, Tm; field; lra).
+    { unfold f, energy, Pair.energy. assert (B : be * Tm = sqrt (2 * E0 * m2) / m2) by (unfold be, Tm; field; lra).
       assert (S2 : sqrt (2 * E0 * m2) * sqrt (2 * E0 * m2) = 2 * E0 * m2) by (apply sqrt_sqrt; nra).
       assert (B2 : m2 * (be * Tm) ^ 2 / 2 = E0).
       { rewrite B. replace (m2 * (sqrt (2 * E0 * m2) / m2) ^ 2 / 2) with (sqrt (2 * E0 * m2) * sqrt (2 * E0 * m2) / (2
@@ -92,10 +84,10 @@ Proof.
   exists x, v1, v2, s. split; [auto|]. split; [rewrite X0, V10, V20; unfold f in FT; lra|].
   assert (ET : energy (x T) (v1 T) (v2 T) = Ecr * (1 + d)) by (rewrite XT, V1T, V2T; auto).
   destruct (no_merging_from_S0 m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s T H) as (NM & _); try lra.
-  { rewrite XT. fold L. lra. } { fold energy Ecr. rewrite ET. nra. }
+  { fold L. lra. } { fold energy Ecr. nra. }
   { apply small_simple; auto. fold energy Ecr q. rewrite ET. scale. }
-  split; [exact NM|]. intros t Ht. fold Tm in Ht. pose proof (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x
-    v1 v2 s H T t ltac:(lra)) as M.
+  split; [exact NM|]. intros t Ht.
+  pose proof (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H T t ltac:(lra)) as M.
   change (energy (x t) (v1 t) (v2 t) <= energy (x T) (v1 T) (v2 T)) in M. rewrite ET in M. eapply Rle_trans;
     [exact M|]. scale.
 Qed.
@@ -107,24 +99,22 @@ Theorem settles e l : Ecr < l -> exists T, 0 <= T /\ forall x v1 v2 s, solution 
   energy (x 0) (v1 0) (v2 0) <= e -> energy (x T) (v1 T) (v2 T) <= l.
 Proof.
   intros Hl. set (d := toll m1 m2 a2 b l). assert (D : 0 < d) by (apply toll_pos; auto).
-  set (W := Rabs (spell m1 m2 a2 b e l)). destruct (nat_above e d D) as (n & Hn).
-  assert (W0 : 0 <= W) by apply Rabs_pos. exists (INR n * W). split; [apply Rmult_le_pos; [apply pos_INR|auto]|].
-  intros x v1 v2 s H HE. set (E := fun t => energy (x t) (v1 t) (v2 t)). change (E 0 <= e) in HE.
-    change (E (INR n * W) <= l).
+  set (W := Rabs (spell m1 m2 a2 b e l)). destruct (nat_above e d D) as (n & Hn). assert (W0 : 0 <= W) by positive.
+  exists (INR n * W). split; [apply Rmult_le_pos; [apply pos_INR|auto]|]. intros x v1 v2 s H HE.
+  set (E := fun t => energy (x t) (v1 t) (v2 t)). change (E 0 <= e) in HE.
   assert (Mono : forall r t, 0 <= r <= t -> E t <= E r).
   { intros r t Hr. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H r t Hr). }
   assert (Pos : forall t, 0 <= E t) by (intros t; apply energy_pos; auto).
   assert (Step : forall k, E (INR k * W) <= l \/ E (INR k * W) <= e - INR k * d).
   { induction k as [|k IH]; [right; simpl; rewrite !Rmult_0_l; lra|]. pose proof (pos_INR k) as K0. rewrite S_INR.
     assert (0 <= INR k * W) by positive. replace ((INR k + 1) * W) with (INR k * W + W) by ring.
-    pose proof (Mono (INR k * W) (INR k * W + W) ltac:(lra)) as M. destruct IH as [IH|IH]; [left; lra|].
     destruct (Rle_dec l (E (INR k * W + W))) as [Hi|Lo]; [right|left; lra].
     pose proof (spell_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb e l Hl) as Sp. unfold W in *. rewrite (Rabs_pos_eq _ Sp) in *.
     pose proof (toll_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H e l (INR k * spell m1 m2 a2 b e l) Hl ltac:(lra)) as Q.
     assert (Be : E (INR k * spell m1 m2 a2 b e l) <= e) by (pose proof (Mono 0 (INR k * spell m1 m2 a2 b e l)
-      ltac:(lra)); lra).
-    specialize (Q Be Hi). change (E (INR k * spell m1 m2 a2 b e l + spell m1 m2 a2 b e l) <= E (INR k * spell m1 m2 a2
-      b e l) - d) in Q. lra. }
+      ltac:(lra)); lra). specialize (Q Be Hi).
+    change (E (INR k * spell m1 m2 a2 b e l + spell m1 m2 a2 b e l) <= E (INR k * spell m1 m2 a2 b e l) - d) in Q.
+    lra. }
   destruct (Step n) as [|N]; auto. specialize (Pos (INR n * W)). lra.
 Qed.
 
@@ -173,11 +163,10 @@ Proof.
     unfold q. replace (m1 / (m1 + m2) * (m1 + m2)) with m1 by (field; lra). lra. }
   destruct (enters e (Ecr * (1 + 4 / 9 * q)) ltac:(lra) ltac:(nra)) as (T & HT & In).
   set (om := omega m1 m2 a2). assert (Om : 0 < om) by (apply omega_pos; auto). pose proof PI_RGT_0 as P0.
-  set (K := 9 / 4 * (m2 / m1)). assert (K0 : 0 < K) by positive.
-  set (F := (5 / 6) ^ 12). assert (F0 : 0 < F) by positive. set (A := om / (PI + 4)). assert (A0 : 0 < A) by positive.
+  set (K := 9 / 4 * (m2 / m1)). assert (K0 : 0 < K) by positive. set (F := (5 / 6) ^ 12).
+  assert (F0 : 0 < F) by positive. set (A := om / (PI + 4)). assert (A0 : 0 < A) by positive.
   set (T1 := 2 * T + 4 / A). assert (A1 : 0 < 4 / A) by positive. assert (Ee : 0 < e / Ecr) by positive.
-  assert (C1 : 0 < 2 / (K * F * A)) by positive.
-  assert (C2 : 0 < e / Ecr * T1) by (apply Rmult_lt_0_compat; unfold T1; lra).
+  assert (C1 : 0 < 2 / (K * F * A)) by positive. assert (C2 : 0 < e / Ecr * T1) by positive.
   exists (2 / (K * F * A) + e / Ecr * T1). split; [lra|]. intros x v1 v2 s H HE NM t Ht.
   set (w := fun t => energy (x t) (v1 t) (v2 t) / Ecr - 1). change (w t <= (2 / (K * F * A) + e / Ecr * T1) / t).
   assert (Wp : forall t, 0 <= t -> 0 < w t).
@@ -214,7 +203,7 @@ Proof.
       assert (K * F * (A * t / 2) <= K * (1 - 3 / 8 * w0 / q) ^ 12 * (om * (t - t1) / (PI + 6 * sqrt w0) - 2)); [|lra].
       apply Rmult_le_compat; try lra; [positive|]. scale. }
     apply Rle_trans with (2 / (K * F * A) / t).
-    + specialize (Wp t ltac:(lra)). rewrite <- (Rinv_inv (w t)).
+    + rewrite <- (Rinv_inv (w t)).
       replace (2 / (K * F * A) / t) with (/ (K * F * (A * t / 2))) by (field; repeat split; lra).
       apply Rinv_le_contravar; auto. positive.
     + scale.
