@@ -13,9 +13,10 @@ Proof.
 Qed.
 
 (** a derivative, by those that are known *)
-Ltac derive := auto_derive; [repeat split; first [match goal with D : forall t, is_derive _ t _ |- _ => eexists; apply D end | auto; lra]
+Ltac derive := auto_derive; [repeat split; first [match goal with D : forall t, is_derive ?f t _ |- ex_derive (fun x => ?f x) _ => eexists; apply D end
+  | auto; lra]
   |repeat match goal with D : forall t, is_derive ?f t _ |- context [Derive (fun x => ?f x) ?t] =>
-     rewrite (is_derive_unique (fun x => f x) _ _ (D t)) end].
+     rewrite (is_derive_unique (fun x : R => f x) _ _ (D t)) end].
 
 Section Arrival.
 Context (m1 m2 a1 a2 b D : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HD : 0 < D).

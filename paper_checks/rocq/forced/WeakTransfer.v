@@ -26,7 +26,7 @@ Proof.
   intros Hj Hk Hr St Sg. apply Rle_trans with (F * (k * (cos (be - om * t) - cos (be - om * r)) / om)); [|right; field; lra].
   assert (MP : 0 < M) by (unfold M; lra).
   pose proof (tested M 0 a2 0 (j * k) F U x v1 (fun q => k * sin (be - om * q)) (fun q => - k * cos (be - om * q) / om) r t
-    MP ltac:(destruct Hj, Hk; subst; lra) Hr ltac:(continuous) ltac:(continuous) ltac:(continuous) LU) as Q. cbv beta in Q.
+    MP ltac:(destruct Hj, Hk; subst j k; lra) Hr ltac:(continuous) ltac:(continuous) ltac:(continuous) LU) as Q. cbv beta in Q.
   rewrite a2_om in Q. eapply Rle_trans; [|eapply Rle_trans; [apply Q|right; field; lra]].
   - right. unfold gained. destruct Hk; subst k; field; lra.
   - intros q Hq. split; [rates|]. rewrite <- a2_om. apply rderiv_eq with (- (a2 * x q + 0 * v1 q)); [ring|].
@@ -175,28 +175,29 @@ Proof.
   assert (DU3 : forall t, t1 + t2 <= t -> rderiv U t (a2 * D)) by (intros; do 2 (apply rderiv_join_after; [lra|]); rate; ring).
   (* the pair follows three arcs, stuck *)
   assert (Load : forall c z, - 2 <= c <= 2 -> - b <= m2 * (F * c * cos z) / M <= b).
-  { intros c z Hc. pose proof (COS_bound z). assert (- (2 * F) <= F * c * cos z <= 2 * F) by (split; nra).
-    assert (m2 * (2 * F) / M <= b); [|unfold Rdiv in *; assert (0 < / M) by positive; split; nra].
-    undivide M. apply Rle_trans with (m2 * (b * (m1 + m2) / m2)); [scale; lra|right; unfold M; field; lra]. }
+  { intros c z Hc. pose proof (COS_bound z). assert (- 2 <= c * cos z <= 2) by (split; nra). assert (0 < m2 * F) by positive.
+    assert (m2 * (3 * F) <= b * M) by (replace (b * M) with (m2 * (b * (m1 + m2) / m2)) by (unfold M; field; lra); scale).
+    assert (m2 * F * -2 <= m2 * F * (c * cos z) <= m2 * F * 2) by (split; apply Rmult_le_compat_l; lra).
+    split; undivide M; lra. }
   pose proof (stuck_arc m1 m2 0 a2 b Hm1 Hm2 Hb t1 (fun _ => F) (fun t => R * (1 - cos (om * t))) (fun t => R * (om * sin (om * t)))
-    ltac:(intros; auto_derive; auto; ring) ltac:(intros; auto_derive; auto; rewrite a2_om, FR; field; lra)) as A1.
+    ltac:(intros; auto_derive; auto; ring) ltac:(intros; auto_derive; auto; rewrite a2_om, FR; unfold M; field; lra)) as A1.
   pose proof (stuck_arc m1 m2 0 a2 b Hm1 Hm2 Hb t2 (fun _ => - F) (fun t => (1 + xi) * R * cos (be - om * t) - R)
     (fun t => (1 + xi) * R * (om * sin (be - om * t))) ltac:(intros; auto_derive; auto; unfold Rminus; ring)
-    ltac:(intros; auto_derive; auto; rewrite a2_om, FR; unfold Rminus; field; lra)) as A2.
+    ltac:(intros; auto_derive; auto; rewrite a2_om, FR; unfold M, Rminus; field; lra)) as A2.
   destruct (arc_begins m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb U _ _ _ _ _ t1 T1 CU DU1 (A1 ltac:(intros t _; cbv beta;
-    replace (F - _ - _) with (F * 1 * cos (om * t)) by (rewrite a2_om, FR; ring); apply Load; lra))) as (x & v1 & v2 & s & H1 & E).
+    replace (F - _ - _) with (F * 1 * cos (om * t)) by (rewrite a2_om, FR; ring); apply Load; lra))) as (x & v1 & v2 & s & Mo & E).
   destruct (E 0 ltac:(lra)) as (X0 & V0 & W0). destruct (E t1 ltac:(lra)) as (Xt & Vt & Wt).
-  rewrite Rmult_0_r, ?cos_0, ?sin_0 in X0, V0, W0. rewrite O1, ?Cal, ?Sin in Xt, Vt, Wt.
+  rewrite Rmult_0_r, cos_0 in X0. rewrite Rmult_0_r, sin_0 in V0, W0. rewrite O1 in Xt, Vt, Wt.
   destruct (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb U (fun _ => - F) x v1 v2 s _ _ _ _ t2 t1 T2 T1 DU2 (A2 ltac:(intros t _;
-    cbv beta; replace (- F - _ - _) with (F * - (1 + xi) * cos (be - om * t)) by (rewrite a2_om, FR; ring); apply Load; lra)) H1)
-    with (t := t2) as (Xe & Ve & We); try lra; rewrite ?Rmult_0_r, ?Rminus_0_r, ?Cbe.
-  { rewrite Xt. transitivity (R * ((1 + xi) * c2) - R); [rewrite E2|]; ring. } { rewrite Vt. ring. } { rewrite Wt. ring. }
-  rewrite O2, Rminus_diag_eq, ?cos_0, ?sin_0 in Xe, Ve, We by auto. exists U, x, v1, v2, s.
-  repeat (split; [first [auto | lra]|]). split; [|auto]. intros t Ht.
+    cbv beta; replace (- F - _ - _) with (F * - (1 + xi) * cos (be - om * t)) by (rewrite a2_om, FR; ring); apply Load; lra)) Mo)
+    with (t := t2) as (Xe & Ve & We); try lra; cbv beta; rewrite ?Rmult_0_r, ?Rminus_0_r, ?Cbe.
+  { rewrite Xt, ?Cal. transitivity (R * ((1 + xi) * c2) - R); [rewrite E2|]; ring. } { rewrite Vt, ?Sin. ring. } { rewrite Wt, ?Sin. ring. }
+  replace (be - om * t2) with 0 in Xe, Ve, We by lra. rewrite cos_0 in Xe. rewrite sin_0 in Ve, We. exists U, x, v1, v2, s.
+  split; [auto|split; [auto|split; [lra|split; [lra|split; [lra|split; [|auto]]]]]]. intros t Ht.
   destruct (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb U (fun _ => a2 * D) x v1 v2 s (fun _ => D) (fun _ => 0) (fun _ => 0)
     (fun _ => 0) (t - (t1 + t2)) (t1 + t2)) with (t := t - (t1 + t2)) as (Xd & Vd & Wd); auto; try lra.
   { intros q Hq. apply DU3. lra. }
-  { constructor; [| | |intros; lra]; intros q; (eapply evar_last; [apply is_derive_const|]); unfold zero; simpl; field; lra. }
+  { constructor; [| | |intros; lra]; intros q; auto_derive; auto; field; lra. }
   replace (t1 + t2 + (t - (t1 + t2))) with t in * by ring. lra.
 Qed.
 End Weak.
