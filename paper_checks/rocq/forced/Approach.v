@@ -208,7 +208,8 @@ Proof.
     pose proof (Small r ltac:(lra)) as S. apply Rabs_inv in S. specialize (Yu r ltac:(lra)).
     assert (a2 * (e - n * L) <= a2 * (k * y r)) by scale.
     destruct (More r ltac:(lra)) as (Hm & _).
-    assert (- ((a1 + A) * n) <= (a1 + more r) * (k * p r)) by (assert (- n <= k * p r) by (destruct Hk; subst k; lra); nra).
+    assert (- ((a1 + A) * n) <= (a1 + more r) * (k * p r)) by (assert (- n <= k * p r) by (destruct Hk; subst k; lra);
+      nra).
     lra. }
   replace (- (a2 * e / 2) * (t + L - t)) with (- (4 * CP)) in Q by (unfold L; field; split; lra).
   pose proof (PB t ltac:(lra)). pose proof (PB (t + L) ltac:(lra)). destruct Hk; subst k; lra.

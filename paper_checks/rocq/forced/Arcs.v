@@ -50,7 +50,8 @@ Proof.
 Qed.
 
 (** Lipschitz if both are *)
-Lemma lip_join T c f g r t : 0 <= T -> f T = g 0 -> (forall r t, 0 <= r <= t -> t <= T -> Rabs (f t - f r) <= c * (t - r)) ->
+Lemma lip_join T c f g r t : 0 <= T -> f T = g 0 -> (forall r t, 0 <= r <= t -> t <= T ->
+  Rabs (f t - f r) <= c * (t - r)) ->
   (forall r t, 0 <= r <= t -> Rabs (g t - g r) <= c * (t - r)) -> 0 <= r <= t ->
   Rabs (join T f g t - join T f g r) <= c * (t - r).
 Proof.

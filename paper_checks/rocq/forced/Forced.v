@@ -20,9 +20,12 @@ Proof.
     intros q Hq. destruct (HJ q ltac:(lra)) as (Pj & Ju & _). split; [rates|lra]. }
   cut (sqrt (2 * D t) - J t <= sqrt (2 * D r) - J r); [lra|]. apply le_epsilon. intros e He.
   apply (barrier_until (fun u => sqrt (2 * D u) - J u) _ r t); [|auto|lra|].
-  - apply cont_minus; auto. apply (cont_comp sqrt); [|continuous]. intros u _. apply continuity_pt_sqrt. specialize (PD u). lra.
-  - intros u Hu Above. destruct (HJ u Hu) as (_ & Ju & HD). specialize (Up u ltac:(lra)). pose proof (sqrt_pos (2 * D r)).
-    eapply dini_eq; [|exact (dini_plus _ _ _ _ _ (sqrt_dini (fun u => 2 * D u) u _ ltac:(intros q; specialize (PD q); lra)
+  - apply cont_minus; auto. apply (cont_comp sqrt); [|continuous]. intros u _. apply continuity_pt_sqrt.
+    specialize (PD u). lra.
+  - intros u Hu Above. destruct (HJ u Hu) as (_ & Ju & HD). specialize (Up u ltac:(lra)).
+    pose proof (sqrt_pos (2 * D r)).
+    eapply dini_eq; [|exact (dini_plus _ _ _ _ _ (sqrt_dini (fun u => 2 * D u) u _
+      ltac:(intros q; specialize (PD q); lra)
       ltac:(cbv beta; lra) (dini_scal 2 D u _ ltac:(lra) HD)) (rderiv_opp _ _ _ Ju))]. cbv beta. field. lra.
 Qed.
 
@@ -45,7 +48,8 @@ Proof.
   rewrite <- (sqrt_Rsqr_abs v1), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt. unfold energy, Rsqr. nra.
 Qed.
 (** and what an energy bounds *)
-Lemma energy_parts x v1 v2 E : energy m1 m2 a2 x v1 v2 <= E -> a2 * x ^ 2 <= 2 * E /\ m1 * v1 ^ 2 <= 2 * E /\ m2 * v2 ^ 2 <= 2 * E.
+Lemma energy_parts x v1 v2 E : energy m1 m2 a2 x v1 v2 <= E -> a2 * x ^ 2 <= 2 * E /\ m1 * v1 ^ 2 <= 2 * E /\
+  m2 * v2 ^ 2 <= 2 * E.
 Proof.
   unfold energy. intros Q. assert (0 <= a2 * x ^ 2) by positive. assert (0 <= m1 * v1 ^ 2) by positive.
   assert (0 <= m2 * v2 ^ 2) by positive. lra.
@@ -238,7 +242,8 @@ Proof.
 Qed.
 
 (** a stick leaves no choice: the force must be M v' + a1 v + a2 x *)
-Theorem stuck_needs U x v1 v2 s t d : forced U x v1 v2 s -> 0 < d -> (forall r, t <= r < t + d -> v1 r = v2 r) -> 0 <= t ->
+Theorem stuck_needs U x v1 v2 s t d : forced U x v1 v2 s -> 0 < d -> (forall r, t <= r < t + d -> v1 r = v2 r) ->
+  0 <= t ->
   rderiv (fun r => M * v1 r - U r) t (- (a2 * x t + a1 * v1 t)).
 Proof.
   intros H Hd St Ht. apply rderiv_near with (fun r => m1 * v1 r + b * s r - U r + (m2 * v2 0 - b * s 0)) d; auto.
@@ -257,7 +262,8 @@ Proof.
   pose proof (slower y w (fun u => w 0 * u + be * u ^ 2 / 2) (fun u => w 0 + be * u) 0 p C ltac:(lra)
     ltac:(intros; auto_derive; auto; field) ltac:(intros u Hu; pose proof (Lw 0 u ltac:(lra)) as Q; apply Rabs_inv in Q;
       split; [apply R|]; lra)) as A.
-  pose proof (slower y w (fun u => - (w T * (T - u) + be * (T - u) ^ 2 / 2)) (fun u => w T + be * (T - u)) p T C ltac:(lra)
+  pose proof (slower y w (fun u => - (w T * (T - u) + be * (T - u) ^ 2 / 2)) (fun u => w T + be * (T - u)) p T C
+    ltac:(lra)
     ltac:(intros; auto_derive; auto; field) ltac:(intros u Hu; pose proof (Lw u T ltac:(lra)) as Q; apply Rabs_inv in Q;
       split; [apply R|]; lra)) as B. cbv beta in A, B.
   apply Rle_trans with (w 0 * p + be * p ^ 2 / 2 + (w T * (T - p) + be * (T - p) ^ 2 / 2)); [lra|].
@@ -269,8 +275,10 @@ Theorem reach U x v1 v2 s x2 T : forced U x v1 v2 s -> cont x2 -> (forall t, 0 <
   Rabs (x2 T - x2 0 - (v2 0 + v2 T) * T / 2) <= b / m2 / 4 * (T ^ 2 - ((v2 T - v2 0) * m2 / b) ^ 2).
 Proof.
   intros H C R HT. apply both_signs. intros k Hk.
-  pose proof (travel (fun u => k * x2 u) (fun u => k * v2 u) (b / m2) T ltac:(positive) HT ltac:(continuous) ltac:(intros; rates)
-    ltac:(intros p q Hp; cbv beta; rewrite <- Rmult_minus_distr_l, Rabs_sign by auto; exact (only_gentle _ _ _ _ _ p q H Hp))) as A.
+  pose proof (travel (fun u => k * x2 u) (fun u => k * v2 u) (b / m2) T ltac:(positive) HT ltac:(continuous)
+    ltac:(intros; rates)
+    ltac:(intros p q Hp; cbv beta; rewrite <- Rmult_minus_distr_l, Rabs_sign by auto;
+      exact (only_gentle _ _ _ _ _ p q H Hp))) as A.
   cbv beta in A. replace (((k * v2 T - k * v2 0) / (b / m2)) ^ 2) with (((v2 T - v2 0) * m2 / b) ^ 2) in A
     by (destruct Hk; subst k; field; lra). lra.
 Qed.
@@ -305,6 +313,7 @@ Proof.
   apply Rabs_le. unfold Rabs. destruct (Rcase_abs (y + h)), (Rcase_abs y); split; nra.
 Qed.
 
+(** the sizes that it is made of *)
 Ltac motion ::= first [apply rderiv_half | apply rderiv_Rabs].
 
 (** the velocity of the fastest transfer: up, then down *)
@@ -355,6 +364,7 @@ Proof.
 Qed.
 End Forced.
 
+(** what is known of a motion *)
 Ltac forced_fact := first [eapply f_cv; eassumption | eapply f_cx; eassumption | eapply f_cU; eassumption
   | eapply moves_cs, forced_moving; eassumption | eapply moves_cv2; [|eapply forced_moving; eassumption]; assumption
   | eapply f_x; [eassumption|lra] | eapply f_v1; [eassumption|lra]].

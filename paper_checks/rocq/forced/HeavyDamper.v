@@ -211,7 +211,8 @@ Proof.
   assert (B : forall t, 0 <= t -> - X <= x t <= X /\ - V <= v1 t <= V).
   { intros t Ht. pose proof (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ H 0 t ltac:(lra)) as De.
     cbv beta zeta in De. rewrite Sx, Sv, Sw in De. fold E0 in De.
-    destruct (energy_parts m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ De) as (Qx & Qv & _). split; apply sq_le_abs; try (unfold X, V; lra).
+    destruct (energy_parts m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ De) as (Qx & Qv & _).
+    split; apply sq_le_abs; try (unfold X, V; lra).
     - assert (x t ^ 2 <= 2 * E0 / a2) by (undivide a2; lra). unfold X. nra.
     - assert (v1 t ^ 2 <= 2 * E0 / m1) by (undivide m1; lra). unfold V. nra. }
   assert (BX := fun t Ht => proj1 (B t Ht)). assert (BV := fun t Ht => proj2 (B t Ht)).

@@ -22,8 +22,9 @@ Record rubs (b U x v1 v2 F : R -> R) : Prop := {
   r_v1 : forall t, 0 <= t -> rderiv (fun r => m1 * v1 r + F r - U r) t (- (a2 * x t + a1 * v1 t));
   r_v2 : forall t, 0 <= t -> m2 * v2 t - F t = m2 * v2 0 - F 0 }.
 
-Ltac rubs_fact := first [eapply r_cx; eassumption | eapply r_cv; eassumption | eapply r_cU; eassumption | eapply r_cF; eassumption
-  | eapply r_x; [eassumption|lra] | eapply r_v1; [eassumption|lra]].
+(** what is known of such a motion *)
+Ltac rubs_fact := first [eapply r_cx; eassumption | eapply r_cv; eassumption | eapply r_cU; eassumption
+  | eapply r_cF; eassumption | eapply r_x; [eassumption|lra] | eapply r_v1; [eassumption|lra]].
 Ltac motion ::= first [rubs_fact | forced_fact].
 
 (** friction's impulse is as fast as its strength allows *)
@@ -85,8 +86,10 @@ Qed.
 (** of either sign *)
 Lemma rubs_cap c t : 0 <= t -> dini_le (fun u => c * F u) t (Rabs c * b t).
 Proof.
-  intros Ht e He. pose proof (Rabs_pos c). destruct (r_cap _ _ _ _ _ _ H t Ht (e / (Rabs c + 1))) as (d & Hd & K); [positive|].
-  exists d. split; auto. intros h Hh. rewrite <- Rmult_minus_distr_l. eapply Rle_trans; [apply Rle_abs|]. rewrite Rabs_mult.
+  intros Ht e He. pose proof (Rabs_pos c). destruct (r_cap _ _ _ _ _ _ H t Ht (e / (Rabs c + 1))) as (d & Hd & K);
+    [positive|].
+  exists d. split; auto. intros h Hh. rewrite <- Rmult_minus_distr_l. eapply Rle_trans; [apply Rle_abs|].
+  rewrite Rabs_mult.
   eapply Rle_trans; [apply Rmult_le_compat_l; [auto|apply (K h Hh)]|].
   assert (Rabs c * (e / (Rabs c + 1)) <= e); [|nra]. unfold Rdiv. rewrite <- Rmult_assoc. undivide (Rabs c + 1). nra.
 Qed.
@@ -141,7 +144,8 @@ Theorem interface_parts t du : 0 <= t -> rderiv (fun r => U r - U' r) t du -> di
 Proof.
   intros Ht HU. assert (G : rderiv (fun u => D u - (w' t * F u + w t * F' u)) t
     (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2 - b t * Rabs (w t) - b' t * Rabs (w' t))).
-  { eapply little_ext; [|exact (little_minus _ _ (little_minus _ _ (rubs_D_increment t du Ht HU) (rubs_power _ _ _ _ _ _ H t Ht))
+  { eapply little_ext; [|exact (little_minus _ _ (little_minus _ _ (rubs_D_increment t du Ht HU)
+    (rubs_power _ _ _ _ _ _ H t Ht))
       (rubs_power _ _ _ _ _ _ H' t Ht))]. intros h. unfold w, w'. ring. }
   apply (dini_ext (fun u => (w' t * F u + w t * F' u) + (D u - (w' t * F u + w t * F' u)))); [intros; ring|].
   eapply dini_eq; [|exact (dini_plus _ _ _ _ _ (dini_add _ _ _ _ _ (rubs_cap _ _ _ _ _ _ H (w' t) t Ht)
@@ -167,7 +171,8 @@ Theorem interface_contraction b U x v1 v2 F x' v1' v2' F' r t : rubs b U x v1 v2
 Proof.
   intros H H' Hr. apply (dini_mono (fun t => energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t))); auto.
   { exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H'). }
-  intros u Hu. eapply dini_weaken; [|exact (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) (rderiv_same U u))].
+  intros u Hu. eapply dini_weaken; [|exact (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u 0
+    ltac:(lra) (rderiv_same U u))].
   assert (0 <= a1 * (v1 u - v1' u) ^ 2) by positive. lra.
 Qed.
 
@@ -178,7 +183,8 @@ Proof.
   intros Hk Ht C P G. pose proof (exp_pos (k * t)) as Ep. apply le_epsilon. intros e He.
   assert (He' : 0 < e / exp (k * t)) by positive. set (q := e / exp (k * t)) in *.
   assert (Q : y t + q <= exp (k * t) * (y 0 + q)).
-  { apply (log_dini (fun u => y u + q) q k t); auto; [intros u; specialize (P u); cbv beta; lra|continuous|]. intros u Hu.
+  { apply (log_dini (fun u => y u + q) q k t); auto; [intros u; specialize (P u); cbv beta; lra|continuous|].
+    intros u Hu.
     eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ (G u Hu) (rderiv_const q u))]. nra. }
   replace (exp (k * t) * (y 0 + q)) with (exp (k * t) * y 0 + e) in Q by (unfold q; field; lra). lra.
 Qed.
@@ -217,7 +223,8 @@ Let N2_cont : cont N2.
 Proof. apply cont_scal. exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H'). Qed.
 Let N2_dini t k : 0 <= t -> - (b t - b' t) * (Rabs (w t) - Rabs (w' t)) <= k -> dini_le N2 t (2 * k).
 Proof.
-  intros Ht Hk. refine (dini_weaken _ _ (2 * _) _ _ (dini_scal 2 _ _ _ Rlt_0_2 (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' t 0 Ht
+  intros Ht Hk. refine (dini_weaken _ _ (2 * _) _ _ (dini_scal 2 _ _ _ Rlt_0_2
+    (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' t 0 Ht
     (rderiv_same U t)))). fold (w t) (w' t). assert (0 <= a1 * (v1 t - v1' t) ^ 2) by positive. lra.
 Qed.
 Let apart t : Rabs (Rabs (w t) - Rabs (w' t)) <= Rabs (w t - w' t) := Rabs_triang_inv2 _ _.
@@ -304,7 +311,8 @@ Theorem interface_input_to_state b U U' x v1 v2 F x' v1' v2' F' du J r t :
 Proof.
   intros H H' HU CJ HJ Hr. apply (pushed_apart m1 m2 a2 Hm1 Hm2 Ha2 (fun t => x t - x' t) (fun t => v1 t - v1' t) (fun t
     => v2 t - v2' t) du); auto; [exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H')|].
-  split; [apply HJ; lra|]. eapply dini_weaken; [|exact (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) (HU u ltac:(lra)))].
+  split; [apply HJ; lra|]. eapply dini_weaken; [|exact (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u _
+    ltac:(lra) (HU u ltac:(lra)))].
   pose proof (pow2_ge_0 (v1 u - v1' u)). nra.
 Qed.
 
@@ -385,7 +393,8 @@ Proof.
   split; [exact Fall|]. split.
   - set (X := sqrt (2 * E 0 / a2)). set (V := sqrt (2 * E 0 / m1)).
     assert (Bd : forall t, 0 <= t -> Rabs (x t) <= X /\ Rabs (v1 t) <= V).
-    { intros t Ht. destruct (energy_parts m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ (Em 0 t ltac:(lra))) as (Qx & Qv & _). split; apply root_bound; auto. }
+    { intros t Ht. destruct (energy_parts m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ (Em 0 t ltac:(lra))) as (Qx & Qv & _).
+      split; apply root_bound; auto. }
     set (K := / m1 * (a2 * X + a1 * V + 0 + hi) + / m2 * hi). pose proof (Hb 0 (Rle_refl 0)).
     assert (0 <= X) by apply sqrt_pos. assert (0 <= V) by apply sqrt_pos. assert (0 <= a2 * X + a1 * V) by positive.
     assert (HK : 0 < K) by (unfold K; positive).
@@ -412,6 +421,7 @@ Proof.
 Qed.
 End Interface.
 
-Ltac rubs_fact := first [eapply r_cx; eassumption | eapply r_cv; eassumption | eapply r_cU; eassumption | eapply r_cF; eassumption
-  | eapply r_x; [eassumption|lra] | eapply r_v1; [eassumption|lra]].
+(** behind the section, too *)
+Ltac rubs_fact := first [eapply r_cx; eassumption | eapply r_cv; eassumption | eapply r_cU; eassumption
+  | eapply r_cF; eassumption | eapply r_x; [eassumption|lra] | eapply r_v1; [eassumption|lra]].
 Ltac motion ::= first [rubs_fact | forced_fact].

@@ -80,7 +80,8 @@ Proof.
     { intros u Hu. replace (aim f u - aim g u) with (/ (m1 * k) * (push f u - push g u)) by (unfold aim; field; lra).
       apply abs_scal; [lra|]. eapply Rle_trans; [apply P; lra|]. apply Rmult_le_compat_l; [positive|].
       apply exp_mono, Rmult_le_compat_l; lra. }
-    assert (DA : forall u, is_derive A u (K * D * exp (lam * u))) by (intros u; unfold A; auto_derive; auto; rewrite <- Ee; ring).
+    assert (DA : forall u, is_derive A u (K * D * exp (lam * u)))
+      by (intros u; unfold A; auto_derive; auto; rewrite <- Ee; ring).
     assert (CA : cont A) by continuous.
     assert (AP : forall u, 0 <= A u) by (intros u; unfold A; pose proof (exp_pos (lam * u)); positive).
     assert (Mp : 0 <= Mt) by (unfold Mt; positive). replace (C1 * e * exp (lam * t)) with (Mt + A t)
@@ -90,7 +91,8 @@ Proof.
     { clear f g Cf Cg N I1 I2 P Near. intros f g Cf Cg N Near. destruct (Strong f Cf) as (CB & DB), (Strong g Cg) as (CB' & DB').
       pose proof (pursuits_near (Bs f) (Bs g) (aim f) (aim g) (bs f) (bs g) A Mt t CB CB' (aim_cont f Cf) (aim_cont g Cg) CA
         (Bs_grows f Cf) (Bs_grows g Cg) AP Mp ltac:(lra)) as Q. assert (rub f t <= rub g t + Mt + A t); [|lra]. apply Q.
-      - intros u Hu. split; [apply DB; lra|]. split; [apply DB'; lra|]. exists (K * D * exp (lam * u)). split; [|apply rderiv_of_derive, DA].
+      - intros u Hu. split; [apply DB; lra|]. split; [apply DB'; lra|]. exists (K * D * exp (lam * u)).
+        split; [|apply rderiv_of_derive, DA].
         apply (Slopes lam D T); auto; lra.
       - intros u Hu. specialize (Near u Hu). apply Rabs_inv in Near. lra. }
     pose proof (Side f g Cf Cg N Near). pose proof (Side g f Cg Cf ltac:(intros i u Hu; rewrite Rabs_minus_sym; apply N; auto)

@@ -13,8 +13,8 @@ Proof.
 Qed.
 
 (** a derivative, by those that are known *)
-Ltac derive := auto_derive; [repeat split; first [match goal with D : forall t, is_derive ?f t _ |- ex_derive (fun x => ?f x) _ => eexists; apply D end
-  | auto; lra]
+Ltac derive := auto_derive; [repeat split; first [match goal with
+      D : forall t, is_derive ?f t _ |- ex_derive (fun x => ?f x) _ => eexists; apply D end | auto; lra]
   |repeat match goal with D : forall t, is_derive ?f t _ |- context [Derive (fun x => ?f x) ?t] =>
      rewrite (is_derive_unique (fun x : R => f x) _ _ (D t)) end].
 
@@ -107,7 +107,8 @@ Lemma halves F U2 u2 X' V' : Fm <= F -> U2 0 = 0 -> (forall r t, 0 <= r <= t -> 
 Proof.
   intros HF U20 LU2 DU2 A2 EX EV. destruct signs as (Tp & Bp & Ap). pose proof A_above as Ab.
     assert (F0 : 0 < Fm) by positive.
-  set (U := join tau (fun t => Fm * t) (fun t => Fm * tau + U2 t)). assert (J : Fm * tau = Fm * tau + U2 0) by (rewrite U20; ring).
+  set (U := join tau (fun t => Fm * t) (fun t => Fm * tau + U2 t)).
+  assert (J : Fm * tau = Fm * tau + U2 0) by (rewrite U20; ring).
   assert (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= F * (t - r)).
   { intros r t. apply lip_join; auto; [lra| |]; intros p q Hp.
     - intros _. apply Rabs_le. split; nra.
@@ -116,10 +117,12 @@ Proof.
   assert (D1 : forall t, 0 <= t < tau -> rderiv U t Fm) by (intros; apply rderiv_join_before; [auto|lra|rate; ring]).
   assert (D2 : forall t, tau <= t < tau + tau -> rderiv U t (u2 (t - tau))).
   { intros t Ht. apply rderiv_join_after; [lra|]. pose proof (DU2 (t - tau) ltac:(lra)). rate. ring. }
-  assert (A1 : forced_arc m1 m2 a1 a2 b tau (fun _ => Fm) (fun t => A * k t) (fun t => A * g t) (fun t => be * t) (fun _ => 1)).
+  assert (A1 : forced_arc m1 m2 a1 a2 b tau (fun _ => Fm) (fun t => A * k t) (fun t => A * g t) (fun t => be * t)
+    (fun _ => 1)).
   { apply slip_arc; auto.
     - intros t. apply (is_derive_scal k t A (g t)), derive_k.
-    - intros t. replace ((Fm - a2 * (A * k t) - a1 * (A * g t) - b * 1) / m1) with (A * g' t) by (unfold Fm, k; field; lra).
+    - intros t. replace ((Fm - a2 * (A * k t) - a1 * (A * g t) - b * 1) / m1) with (A * g' t)
+      by (unfold Fm, k; field; lra).
       apply (is_derive_scal g t A (g' t)), Dg.
     - intros t. auto_derive; auto. unfold be. field; lra.
     - intros t Ht. pose proof (g_chord t ltac:(lra)). fold tau in Gt. cut (be * t <= A * g t); [lra|].
@@ -139,10 +142,13 @@ Proof.
   split; [apply integral_0|]. destruct (E2 tau ltac:(lra)) as (V2T & W2T). replace (2 * tau) with (tau + tau) by ring.
   split; [|split; [rewrite W2T; ring|auto]]. pose proof (tau_sq m2 b D Hm2 Hb HD) as T2. fold tau be in T2.
   pose proof (same_gain (integral v2) v2 (fun t => be * t ^ 2 / 2) (fun t => be * t) 0 tau ltac:(continuous) ltac:(lra)
-    ltac:(intros; auto_derive; auto; field) ltac:(intros t Ht; split; [apply integral_rderiv; auto; lra|apply E; lra])) as K1.
-  pose proof (same_gain (integral v2) v2 (fun t => - (be * (2 * tau - t) ^ 2 / 2)) (fun t => be * (2 * tau - t)) tau (tau + tau)
+    ltac:(intros; auto_derive; auto; field) ltac:(intros t Ht; split;
+      [apply integral_rderiv; auto; lra|apply E; lra])) as K1.
+  pose proof (same_gain (integral v2) v2 (fun t => - (be * (2 * tau - t) ^ 2 / 2)) (fun t => be * (2 * tau - t)) tau
+    (tau + tau)
     ltac:(continuous) ltac:(lra) ltac:(intros; auto_derive; auto; unfold Rminus; field) ltac:(intros t Ht; split;
-      [apply integral_rderiv; auto; lra|destruct (E2 (t - tau) ltac:(lra)) as (_ & Q); replace (tau + (t - tau)) with t in Q by ring;
+      [apply integral_rderiv; auto; lra|destruct (E2 (t - tau) ltac:(lra)) as (_ & Q); replace (tau + (t - tau))
+        with t in Q by ring;
        rewrite Q; ring])) as K2. cbv beta in K1, K2.
   rewrite integral_0 in K1. rewrite <- T2. nra.
 Qed.

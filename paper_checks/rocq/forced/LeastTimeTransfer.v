@@ -13,9 +13,11 @@ Lemma tested m a1 a2 c j F U y w G K r t : 0 < m -> j = 1 \/ j = -1 -> 0 <= r <=
 Proof.
   intros Hm Hj Hr CU Cy Cw L D DK DG P.
   set (f q := j * U q * G q + (j * ((m * w q - U q) * G q - a2 * (y q * K q)) + (F - j * c) * K q)).
-  cut (f t <= f r); [unfold f; lra|]. apply dini_mono; [unfold f; continuous|auto|]. intros q Hq. destruct (D q Hq) as (Dy & Dw).
+  cut (f t <= f r); [unfold f; lra|]. apply dini_mono; [unfold f; continuous|auto|]. intros q Hq.
+  destruct (D q Hq) as (Dy & Dw).
   pose proof (dini_lip_mult (fun q => j * U q) G q F _ (t - q) ltac:(lra) ltac:(lra) ltac:(intros p q' Hp; cbv beta;
-    rewrite <- Rmult_minus_distr_l, Rabs_sign by auto; auto) ltac:(intros; apply P; lra) (rderiv_of_derive _ _ _ (DG q))) as Du.
+    rewrite <- Rmult_minus_distr_l, Rabs_sign by auto; auto) ltac:(intros; apply P; lra)
+      (rderiv_of_derive _ _ _ (DG q))) as Du.
   eassert (Dr : rderiv (fun q => j * ((m * w q - U q) * G q - a2 * (y q * K q)) + (F - j * c) * K q) q _) by rates.
   eapply dini_eq; [|exact (dini_plus _ _ _ _ _ Du Dr)]. cbv beta. field. lra.
 Qed.
@@ -155,17 +157,21 @@ Proof.
     { apply rderiv_near with (fun u => s 0 + u) (tau - t); [lra|intros; symmetry; apply Es; lra|].
       apply rderiv_of_derive. auto_derive; auto. }
     pose proof (rderiv_unique _ _ _ _ S1 (f_neg _ _ _ _ _ _ _ _ _ _ H t ltac:(lra) ltac:(lra))). lra. }
-  pose proof (tested m1 a1 a2 b 1 F U x v1 (fun t => g' (tau - t)) (fun t => g (tau - t)) 0 tau Hm1 ltac:(auto) ltac:(lra)
+  pose proof (tested m1 a1 a2 b 1 F U x v1 (fun t => g' (tau - t)) (fun t => g (tau - t)) 0 tau Hm1 ltac:(auto)
+    ltac:(lra)
     ltac:(continuous) ltac:(continuous) ltac:(continuous) LU) as Q. cbv beta in Q.
   replace (tau - tau) with 0 in Q by ring. replace (tau - 0) with tau in Q by ring. rewrite X0, V0, G0, G0' in Q.
   assert (be * tau <= (F - b) * g tau).
   { apply Rle_trans with (1 := Ahead). replace (v1 tau) with (m1 * v1 tau * / m1) by (field; lra).
-    assert (1 * (m1 * v1 tau * / m1 - a2 * (x tau * 0) - (m1 * 0 * g' tau - a2 * (0 * g tau))) <= (F - 1 * b) * (g tau - 0)); [apply Q|lra].
+    assert (1 * (m1 * v1 tau * / m1 - a2 * (x tau * 0) - (m1 * 0 * g' tau - a2 * (0 * g tau))) <= (F - 1 * b) *
+      (g tau - 0)); [apply Q|lra].
     - intros t Ht. split; [rates|].
       apply rderiv_near with (fun u => m1 * v1 u + b * s u - U u - b * (s 0 + u)) (tau - t); [lra| |rate; ring].
       intros u Hu. rewrite (Es u) by lra. ring.
-    - intros t. auto_derive; [eexists; apply Dg|]. rewrite (is_derive_unique (fun x => g x) _ _ (Dg _)). unfold Rminus. ring.
-    - intros t. auto_derive; [eexists; apply Dg'|]. rewrite (is_derive_unique (fun x => g' x) _ _ (Dg' _)). unfold Rminus. field. lra.
+    - intros t. auto_derive; [eexists; apply Dg|]. rewrite (is_derive_unique (fun x => g x) _ _ (Dg _)).
+      unfold Rminus. ring.
+    - intros t. auto_derive; [eexists; apply Dg'|]. rewrite (is_derive_unique (fun x => g' x) _ _ (Dg' _)).
+      unfold Rminus. field. lra.
     - intros t Ht. apply Gp. lra. }
   cut (be * tau / g tau <= F - b); [lra|]. undivide (g tau). auto.
 Qed.

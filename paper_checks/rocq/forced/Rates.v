@@ -16,7 +16,9 @@ Proof. intros [L|<-]; [apply Rlt_le, exp_increasing; auto|lra]. Qed.
 Lemma dini_eq f t k l : k = l -> dini_le f t k -> dini_le f t l.
 Proof. intros ->; auto. Qed.
 Lemma dini_weaken f t k l : k <= l -> dini_le f t k -> dini_le f t l.
-Proof. intros L F e He. destruct (F e He) as (d & Hd & K). exists d. split; auto. intros h Hh. specialize (K h Hh). nra. Qed.
+Proof.
+  intros L F e He. destruct (F e He) as (d & Hd & K). exists d. split; auto. intros h Hh. specialize (K h Hh). nra.
+Qed.
 Lemma dini_scal c f t k : 0 < c -> dini_le f t k -> dini_le (fun u => c * f u) t (c * k).
 Proof.
   intros Hc F e He. destruct (F (e / c)) as (d & Hd & K); [positive|]. exists d. split; auto. intros h Hh.
@@ -54,7 +56,8 @@ Qed.
 Lemma cont_comp g f : (forall t, 0 <= t -> continuity_pt g (f t)) -> cont f -> cont (fun t => g (f t)).
 Proof.
   intros G C t Ht e He. destruct (G t Ht e He) as (d & Hd & K). destruct (C t Ht d Hd) as (d' & Hd' & K').
-  exists d'. split; auto. intros u Hu N. destruct (Req_dec (f u) (f t)) as [->|E]; [rewrite Rminus_diag_eq, Rabs_R0; auto|].
+  exists d'. split; auto. intros u Hu N. destruct (Req_dec (f u) (f t)) as [->|E];
+    [rewrite Rminus_diag_eq, Rabs_R0; auto|].
   apply K. split; [split; [exact I|auto]|apply K'; auto].
 Qed.
 

@@ -38,7 +38,8 @@ Proof.
   intros Ht Hd DU St. assert (D : rderiv v2 t (load t / m2)).
   { apply rderiv_near with (fun r => / (m1 + m2) * (((m1 + m2) * v1 r - U r) + U r)) d; [lra| |].
     - intros r Hr. rewrite (St r) by lra. field. lra.
-    - pose proof (stuck_needs m1 m2 a1 a2 b _ _ _ _ _ t d H Hd St Ht). rate. unfold load, ModeAtContact.load. field. lra. }
+    - pose proof (stuck_needs m1 m2 a1 a2 b _ _ _ _ _ t d H Hd St Ht). rate. unfold load, ModeAtContact.load. field.
+      lra. }
   split; auto. pose proof (lip_rderiv v2 (b / m2) t _ (fun p q Hp => only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ p q H
     Hp) Ht D) as B.
   replace (load t) with (m2 * (load t / m2)) by (field; lra). replace b with (m2 * (b / m2)) by (field; lra).

@@ -49,7 +49,8 @@ Proof.
   { assert (Sh : forall (f : R -> R) (l t : R), is_derive f (t + ts) l -> is_derive (fun t => f (t + ts)) t l).
     { intros f l t D. replace l with (scal 1 l) by (unfold scal; simpl; unfold mult; simpl; ring).
       apply (is_derive_comp f (fun t => t + ts)); auto. auto_derive; auto. }
-    apply (stuck_arc m1 m2 a1 a2 b Hm1 Hm2 Hb (T - ts) (fun t => u (t + ts)) (fun t => Y (t + ts)) (fun t => W (t + ts))).
+    apply (stuck_arc m1 m2 a1 a2 b Hm1 Hm2 Hb (T - ts) (fun t => u (t + ts)) (fun t => Y (t + ts))
+      (fun t => W (t + ts))).
     - intros t. apply (Sh Y), DY.
     - intros t. apply (Sh W), DW.
     - intros t Ht. pose proof (Load (t + ts) ltac:(lra)) as B. apply Rabs_inv in B. exact B. }

@@ -19,7 +19,8 @@ Lemma D_falls t : 0 <= t -> dini_le D t (- (b * (1 - rho) * Rabs (w t))).
 Proof.
   intros Ht. eapply dini_weaken; [|exact (interface_parts m1 m2 a1 a2 Hm1 Hm2 _ _ _ _ _ _ _ _ _ _ _ _
     (forced_rubs _ _ _ _ b _ _ _ _ _ Hb H) (stuck_rubs _ _ _ _ b rho _ _ _ _ Hb H' Easy) t 0 Ht (rderiv_same U t))].
-  cbv beta. rewrite (Rminus_diag_eq (v t)), Rabs_R0 by auto. assert (0 <= a1 * (v1 t - v t) ^ 2) by positive. unfold w. lra.
+  cbv beta. rewrite (Rminus_diag_eq (v t)), Rabs_R0 by auto. assert (0 <= a1 * (v1 t - v t) ^ 2) by positive.
+  unfold w. lra.
 Qed.
 
 Lemma cont_D : cont D.

@@ -23,10 +23,13 @@ Lemma paired j k be r t : (j = 1 \/ j = -1) -> (k = 1 \/ k = -1) -> 0 <= r <= t 
   (forall q, r <= q <= t -> 0 <= k * sin (be - om * q)) ->
   j * (gained be t - gained be r) <= F * (k * (cos (be - om * t) - cos (be - om * r))) / om.
 Proof.
-  intros Hj Hk Hr St Sg. apply Rle_trans with (F * (k * (cos (be - om * t) - cos (be - om * r)) / om)); [|right; field; lra].
+  intros Hj Hk Hr St Sg. apply Rle_trans with (F * (k * (cos (be - om * t) - cos (be - om * r)) / om));
+    [|right; field; lra].
   assert (MP : 0 < M) by (unfold M; lra).
-  pose proof (tested M 0 a2 0 (j * k) F U x v1 (fun q => k * sin (be - om * q)) (fun q => - k * cos (be - om * q) / om) r t
-    MP ltac:(destruct Hj, Hk; subst j k; lra) Hr ltac:(continuous) ltac:(continuous) ltac:(continuous) LU) as Q. cbv beta in Q.
+  pose proof (tested M 0 a2 0 (j * k) F U x v1 (fun q => k * sin (be - om * q))
+    (fun q => - k * cos (be - om * q) / om) r t
+    MP ltac:(destruct Hj, Hk; subst j k; lra) Hr ltac:(continuous) ltac:(continuous) ltac:(continuous) LU) as Q.
+  cbv beta in Q.
   rewrite a2_om in Q. eapply Rle_trans; [|eapply Rle_trans; [apply Q|right; field; lra]].
   - right. unfold gained. destruct Hk; subst k; field; lra.
   - intros q Hq. split; [rates|]. rewrite <- a2_om. apply rderiv_eq with (- (a2 * x q + 0 * v1 q)); [ring|].
@@ -149,9 +152,11 @@ Proof.
   { unfold c2. split; [apply Rdiv_lt_0_compat; nra|]. undivide (1 + xi). nra. }
   assert (E2 : (1 + xi) * c2 = 2 - c1) by (unfold c2, c1; field; lra).
   set (R := F / a2). assert (HR : 0 < R) by (unfold R; positive). assert (DR : D = xi * R) by (unfold xi, R; field; lra).
-  assert (FR : F = M * (om * om) * R) by (rewrite <- a2_om; unfold R; field; lra). assert (MP : 0 < M) by (unfold M; lra).
+  assert (FR : F = M * (om * om) * R) by (rewrite <- a2_om; unfold R; field; lra).
+  assert (MP : 0 < M) by (unfold M; lra).
   set (al := acos c1) in *. set (be := acos c2) in *. assert (O1 : om * t1 = al) by (unfold t1; field; lra).
-  assert (O2 : om * t2 = be) by (unfold t2; field; lra). pose proof (acos_bound c1 : 0 <= al <= PI). pose proof (acos_bound c2 : 0 <= be <= PI).
+  assert (O2 : om * t2 = be) by (unfold t2; field; lra). pose proof (acos_bound c1 : 0 <= al <= PI).
+  pose proof (acos_bound c2 : 0 <= be <= PI).
   assert (T1 : 0 <= t1) by (unfold t1; positive). assert (T2 : 0 <= t2) by (unfold t2; positive).
   assert (Cal : cos al = c1) by (apply cos_acos; lra). assert (Cbe : cos be = c2) by (apply cos_acos; lra).
   assert (Sin : sin al = (1 + xi) * sin be).
@@ -172,29 +177,40 @@ Proof.
   assert (DU1 : forall t, 0 <= t < t1 -> rderiv U t F) by (intros; apply rderiv_join_before; [auto|lra|rate; ring]).
   assert (DU2 : forall t, t1 <= t < t1 + t2 -> rderiv U t (- F)).
   { intros. apply rderiv_join_after; [lra|]. apply rderiv_join_before; [auto|lra|rate; ring]. }
-  assert (DU3 : forall t, t1 + t2 <= t -> rderiv U t (a2 * D)) by (intros; do 2 (apply rderiv_join_after; [lra|]); rate; ring).
+  assert (DU3 : forall t, t1 + t2 <= t -> rderiv U t (a2 * D))
+    by (intros; do 2 (apply rderiv_join_after; [lra|]); rate; ring).
   (* the pair follows three arcs, stuck *)
   assert (Load : forall c z, - 2 <= c <= 2 -> - b <= m2 * (F * c * cos z) / M <= b).
-  { intros c z Hc. pose proof (COS_bound z). assert (- 2 <= c * cos z <= 2) by (split; nra). assert (0 < m2 * F) by positive.
-    assert (m2 * (3 * F) <= b * M) by (replace (b * M) with (m2 * (b * (m1 + m2) / m2)) by (unfold M; field; lra); scale).
+  { intros c z Hc. pose proof (COS_bound z). assert (- 2 <= c * cos z <= 2) by (split; nra).
+    assert (0 < m2 * F) by positive.
+    assert (m2 * (3 * F) <= b * M) by (replace (b * M) with (m2 * (b * (m1 + m2) / m2)) by (unfold M; field; lra);
+      scale).
     assert (m2 * F * -2 <= m2 * F * (c * cos z) <= m2 * F * 2) by (split; apply Rmult_le_compat_l; lra).
     split; undivide M; lra. }
-  pose proof (stuck_arc m1 m2 0 a2 b Hm1 Hm2 Hb t1 (fun _ => F) (fun t => R * (1 - cos (om * t))) (fun t => R * (om * sin (om * t)))
-    ltac:(intros; auto_derive; auto; ring) ltac:(intros; auto_derive; auto; rewrite a2_om, FR; unfold M; field; lra)) as A1.
+  pose proof (stuck_arc m1 m2 0 a2 b Hm1 Hm2 Hb t1 (fun _ => F) (fun t => R * (1 - cos (om * t)))
+    (fun t => R * (om * sin (om * t)))
+    ltac:(intros; auto_derive; auto; ring) ltac:(intros; auto_derive; auto; rewrite a2_om, FR; unfold M; field; lra))
+      as A1.
   pose proof (stuck_arc m1 m2 0 a2 b Hm1 Hm2 Hb t2 (fun _ => - F) (fun t => (1 + xi) * R * cos (be - om * t) - R)
     (fun t => (1 + xi) * R * (om * sin (be - om * t))) ltac:(intros; auto_derive; auto; unfold Rminus; ring)
     ltac:(intros; auto_derive; auto; rewrite a2_om, FR; unfold M, Rminus; field; lra)) as A2.
   destruct (arc_begins m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb U _ _ _ _ _ t1 T1 CU DU1 (A1 ltac:(intros t _; cbv beta;
-    replace (F - _ - _) with (F * 1 * cos (om * t)) by (rewrite a2_om, FR; ring); apply Load; lra))) as (x & v1 & v2 & s & Mo & E).
+    replace (F - _ - _) with (F * 1 * cos (om * t)) by (rewrite a2_om, FR; ring); apply Load; lra)))
+      as (x & v1 & v2 & s & Mo & E).
   destruct (E 0 ltac:(lra)) as (X0 & V0 & W0). destruct (E t1 ltac:(lra)) as (Xt & Vt & Wt).
   rewrite Rmult_0_r, cos_0 in X0. rewrite Rmult_0_r, sin_0 in V0, W0. rewrite O1 in Xt, Vt, Wt.
-  destruct (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb U (fun _ => - F) x v1 v2 s _ _ _ _ t2 t1 T2 T1 DU2 (A2 ltac:(intros t _;
-    cbv beta; replace (- F - _ - _) with (F * - (1 + xi) * cos (be - om * t)) by (rewrite a2_om, FR; ring); apply Load; lra)) Mo)
+  destruct (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb U (fun _ => - F) x v1 v2 s _ _ _ _ t2 t1 T2 T1 DU2 (A2
+    ltac:(intros t _;
+    cbv beta; replace (- F - _ - _) with (F * - (1 + xi) * cos (be - om * t)) by (rewrite a2_om, FR; ring);
+      apply Load; lra)) Mo)
     with (t := t2) as (Xe & Ve & We); try lra; cbv beta; rewrite ?Rmult_0_r, ?Rminus_0_r, ?Cbe.
-  { rewrite Xt, ?Cal. transitivity (R * ((1 + xi) * c2) - R); [rewrite E2|]; ring. } { rewrite Vt, ?Sin. ring. } { rewrite Wt, ?Sin. ring. }
-  replace (be - om * t2) with 0 in Xe, Ve, We by lra. rewrite cos_0 in Xe. rewrite sin_0 in Ve, We. exists U, x, v1, v2, s.
+  { rewrite Xt, ?Cal. transitivity (R * ((1 + xi) * c2) - R); [rewrite E2|]; ring. } { rewrite Vt, ?Sin. ring.
+    } { rewrite Wt, ?Sin. ring. }
+  replace (be - om * t2) with 0 in Xe, Ve, We by lra. rewrite cos_0 in Xe. rewrite sin_0 in Ve, We.
+  exists U, x, v1, v2, s.
   split; [auto|split; [auto|split; [lra|split; [lra|split; [lra|split; [|auto]]]]]]. intros t Ht.
-  destruct (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb U (fun _ => a2 * D) x v1 v2 s (fun _ => D) (fun _ => 0) (fun _ => 0)
+  destruct (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb U (fun _ => a2 * D) x v1 v2 s (fun _ => D)
+    (fun _ => 0) (fun _ => 0)
     (fun _ => 0) (t - (t1 + t2)) (t1 + t2)) with (t := t - (t1 + t2)) as (Xd & Vd & Wd); auto; try lra.
   { intros q Hq. apply DU3. lra. }
   { constructor; [| | |intros; lra]; intros q; auto_derive; auto; field; lra. }
