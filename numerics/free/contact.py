@@ -177,18 +177,17 @@ def _proved(at: ContactPoint, push: arb, x: arb, few: int) -> tuple[arb, arb, ar
         shift = at.value / steepness
         if steepness > 0 and region.contains_interior(x - shift if is_late(push) else x + shift):
             square = shift * shift / 2
-            depth = at.depth + at.rise * shift + bend * square
+            depth = widened(at.depth + at.rise * shift, bend * square)
             return at.theta + shift, depth, widened((1 + at.cotangent * shift) / at.reciprocal, square)
         width = 4 * width
     return None
 
 
 def _over(at: ContactPoint, region: arb) -> tuple[arb, arb]:
-    """Return minus the slope of the equation and h' over a ball of the variable about a point.
+    """Return minus the slope of the equation and a bound on h' > 0 over a ball of the variable about a point.
 
     c' = h, and c, h and h' = 1 - h cot > 0 grow with theta; 1 + k h >= h' bounds the growth of h from its middle.
     """
     spread, k = region.rad(), abs((region / 2).cot()).upper()
     most = (at.rise + spread) * (k * spread).exp()
-    depth, bend = at.depth + arb(0, (most * spread).upper()), 1 + k * most
-    return (depth + at.gap) / versine(region), arb(0).union(bend)
+    return (widened(at.depth, most * spread) + at.gap) / versine(region), 1 + k * most

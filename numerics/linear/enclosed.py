@@ -45,7 +45,7 @@ def run_enclosed(scene: Scene, arithmetic: Ball, max_events: int, progress: Prog
         run = EnclosedRun(scene, arithmetic)
         for row in run.rows():
             if events == max_events and (row is None or row.event):
-                while len(rows) > 1 and not rows[-1].event:
+                while not rows[-1].event:
                     rows.pop()
                 return Record(rows, rows[-1], How.EVENT_LIMIT, events)
             if row is not None:

@@ -245,9 +245,9 @@ def _in_units(rows: Rows, layout: Layout, units: KernelUnits) -> Rows:
     others[DRIVEN] = speed
     guards, powers = np.array([speed, force])[:, None, None], np.array([force, speed])[None, None, :, None]
     for exact, own, unit in zip(rows, found, (z[None, :, None] - units.time, guards, others, powers), strict=True):
-        for at in np.argwhere(exact != 0):
-            place = tuple(at)
-            own[place] = rounded(exact[place], int(np.broadcast_to(unit, exact.shape)[place]) - int(z[at[-1]]))
+        exponents = np.broadcast_to(unit - z, exact.shape)
+        for place in zip(*exact.nonzero(), strict=True):
+            own[place] = rounded(exact[place], int(exponents[place]))
     return found
 
 

@@ -15,7 +15,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from fractions import Fraction
 from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
@@ -30,7 +29,7 @@ from numerics.linear.record import AT
 from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
-from numerics.trajectory.events import energy_of
+from numerics.trajectory.events import energy_of, wall_in_floats
 
 FEW_DIGITS = 3
 """So few right digits are said in the message of a run."""
@@ -87,7 +86,7 @@ def _scales(trajectory: Any) -> Iterator[tuple[arb, arb]]:
     v = max([abs(one.mid()) for one in states[1::2].flat] + means)  # a mean speed is attained on the way
     squared = pair.a2 / (pair.m1 if pair.is_fixed else pair.mass) if pair.a2 else 1 / trajectory.scene.until**2
     slow, m1 = Ball.number(squared).sqrt() * x, Ball.number(pair.m1)
-    most = max([one.mid() for one in energy_of(trajectory, times, states)] + [m1 * v * v / 2])
+    most = max([one.mid() for one in energy_of(trajectory, times, states, trajectory._own_rows)] + [m1 * v * v / 2])
     yield x, x
     yield max(v, slow), v
     yield max(most, m1 * slow * slow / 2), most
@@ -156,7 +155,8 @@ def _judged_floats(trajectory: Any) -> Judged:
     energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
     if scene.wall.pieces:  # the spring is longer or shorter than x1
         end = record.end[_STATE]
-        x1, stretched = abs(float(end[0])), abs(float(end[0] - float(scene.wall(Fraction(trajectory.end_time)))))
+        wall = wall_in_floats(trajectory, np.array([-1]), np.array([trajectory.end_time]))[0]
+        x1, stretched = abs(float(end[0])), abs(float(end[0] - wall))
         energy += (
             weights[0] * max(0.0, stretched - x1) * (record.end[_STATE_ERRORS][0] + 8 * ROUNDING * (x1 + stretched))
         )

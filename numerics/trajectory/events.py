@@ -7,6 +7,7 @@ residual.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -24,7 +25,6 @@ from numerics.linear.model import WALL
 from numerics.linear.modes import EventKind, Mode
 from numerics.linear.record import NUMBERS, ROW, How, Record
 from numerics.linear.system import value
-from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.flow import Moving
@@ -140,7 +140,7 @@ def ledger_of(run: Rows) -> EnergyLedger:
     friction, viscous, force, force_2, belt, wall, error = taken_in(run, rows)
     wall = wall + _by_jumps_of_the_wall(run)
     times = np.array([run.arithmetic.number(0), run.end_time])
-    initial, final = energy_of(run, times, run._states[:, [0, -1]]).tolist()
+    initial, final = energy_of(run, times, run._states[:, [0, -1]], np.array([0, -1])).tolist()
     work = force + force_2 + belt + wall
     residual = initial + work - final - friction - viscous
     return EnergyLedger(initial, final, friction, viscous, residual, work, force, force_2, belt, wall, error)
@@ -173,25 +173,37 @@ def _enclosed(run: Rows, row: int) -> Sequence[arb]:
         return Moving(_LONG, run.row_mode(row), start, begun).taken(arb(float(length[row + 1])))
 
 
-def energy_of(run: Rows, t: Array, y: Array) -> Array:
-    """Return the energy of states at times, J: of the spring by its length; in the arithmetic's context."""
+def energy_of(run: Rows, t: Array, y: Array, rows: Counts | None = None) -> Array:
+    """Return the energy of states at times, J: of the spring by its length; in the arithmetic's context.
+
+    `rows` say in which segments they are, where that is known; else what acts from a time on counts.
+    """
     if run.bounded:
-        return energy_in_floats(run.scene, t, y)
+        return energy_in_floats(run, run.row_at(t) if rows is None else rows, t, y)
     x1, *others = y
     if run.scene.wall.pieces:
-        x1 = x1 - run.row_values(partial(_wall, run), t, "right")[0]
+        wall = (
+            run.row_values(partial(_wall, run), t, "right")
+            if rows is None
+            else _wall(run, rows, t - run.row_times[rows])
+        )
+        x1 = x1 - wall[0]
     return np.asarray(run.scene.pair.energy((x1, *others), run.arithmetic.number))
 
 
-def energy_in_floats(scene: Scene, t: Floats, y: Floats) -> Floats:
+def energy_in_floats(run: Rows, rows: Counts, t: Floats, y: Floats) -> Floats:
     """Return the same in binary64."""
     x1, *others = y
-    return np.asarray(scene.pair.energy((x1 - wall_in_floats(scene, t), *others), float))
+    return np.asarray(run.scene.pair.energy((x1 - wall_in_floats(run, rows, t), *others), float))
 
 
-def wall_in_floats(scene: Scene, t: Floats) -> Floats:
-    """Return the displacement of the wall at times, m."""
-    return np.array([float(scene.wall(Fraction(one))) for one in t.tolist()]) if scene.wall.pieces else 0.0 * t
+def wall_in_floats(run: Rows, rows: Counts, t: Floats) -> Floats:
+    """Return the displacement of the wall at times in the segments of rows, m: where it jumps, as these say."""
+    wall, starts, found = run.scene.wall, [*(one.start for one in run.pieces), math.inf], 0.0 * t
+    for n, k in enumerate(run.row_pieces[rows] if wall.pieces else ()):
+        time = max(Fraction(t[n]), starts[k])
+        found[n] = float(wall(time) if time < starts[k + 1] else wall(starts[k + 1], -1))
+    return found
 
 
 def _wall(run: Rows, rows: Counts, since: Array) -> Array:
@@ -213,7 +225,7 @@ def _by_jumps_of_the_wall(run: Rows) -> Number:
         if pieces[run.row_pieces[k]].start not in wall.starts:
             continue
         if run.bounded:
-            places = [float(wall(Fraction(t), side)) for side in (-1, 1)]
+            places = wall_in_floats(run, np.array([k - 1, k]), np.array([t, t])).tolist()
         else:
             places = _wall(run, np.array([k - 1, k]), t - run.row_times[k - 1 : k + 1])[0].tolist()
         before, after = (run.row_states[0, k] - one for one in places)

@@ -156,8 +156,9 @@ class _Writer:
         """Return the file; the last of the times is the end."""
         events, last = [], trajectory.final_mode
         for event, time in zip(trajectory.events, times, strict=False):
-            jump = event.cause == "jump"
-            self._pass(time, event.before, jump=jump)
+            jump, since = event.cause == "jump", [one.since for one in self.later]
+            # the float of a jump's time may lie in front of it
+            self._pass(min(since, key=lambda one: abs(one - time)) if jump else time, event.before, jump=jump)
             if jump:
                 self._rest(event.before, self.later[0].since, "Rest {bits} {until} {least} Breaks")
                 self.run.spell = self.later.pop(0)
@@ -184,7 +185,7 @@ class _Writer:
             depth=DEPTH,
         )
 
-    def _pass(self, time: float, mode: Mode, *, jump: bool) -> None:
+    def _pass(self, time: float | Fraction, mode: Mode, *, jump: bool) -> None:
         """Go through the spells that end before a time; if there is a jump, the one that ends with it stays."""
         ending = [one for one in self.later if one.since <= time]
         for one in ending[: len(ending) - jump]:
@@ -251,8 +252,7 @@ class _Writer:
     def _for_ever(self) -> bool:
         """Go on in a stick that does not end until its energy shows that; return whether that is shown."""
         scene, force = self.scene, self.run.spell.force
-        changes = max((*scene.force.starts, *scene.friction.starts), default=Fraction(0)) >= scene.until
-        if changes or force.tones or any(force.polynomial[1:]):
+        if force.tones or any(force.polynomial[1:]):
             return False
         least = Fraction(f"{math.sqrt(scene.pair.mass / scene.pair.a2) / 8:.1g}")
         for doubling in range(DOUBLINGS if scene.pair.a1 else 1):

@@ -17,7 +17,7 @@ from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How, Knot, Record
 from numerics.meter import meter
 from numerics.trajectory.checked import Check
-from numerics.trajectory.columns import Array
+from numerics.trajectory.columns import Array, Counts
 from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
 from numerics.trajectory.in_units import Reduced
@@ -224,13 +224,16 @@ class Trajectory(Rows):
         """Return the states at `t`, shape (4, m)."""
         return self._own_moments[1] if self.t_eval is None else self._asked_states
 
+    @property
+    def _own_rows(self) -> Counts:
+        """The rows of start and events, and -1 for the end: its segment, or what is known there."""
+        return np.append(self._starts, -1) if self.reached else self._starts
+
     @cached_property
     def _own_moments(self) -> tuple[Array, Array]:
         """The times of start, events and end, and the states there."""
-        at, times = self._starts, self.row_times[self._starts]
-        if not self.reached:
-            return times, self._states[:, at]
-        return np.append(times, self.end_time), self._states[:, np.append(at, -1)]
+        times, states = self.row_times[self._starts], self._states[:, self._own_rows]
+        return (np.append(times, self.end_time) if self.reached else times), states
 
     @cached_property
     def _asked_states(self) -> Array:
@@ -240,13 +243,13 @@ class Trajectory(Rows):
     def energy(self) -> Array:
         """Return the energy at `t`, J, shape (m,), formed from the states."""
         with self.context():
-            return np.asarray(energy_of(self, self.t, self.y))
+            return energy_of(self, self.t, self.y, self._own_rows if self.t_eval is None else None)
 
     @property
     def final_energy(self) -> Quantity:
         """Return the energy at the end, J, formed from the state."""
         with self.context():
-            found: Number = energy_of(self, np.array([self.end_time]), self._states[:, -1:]).tolist()[0]
+            found: Number = energy_of(self, np.array([self.end_time]), self._states[:, -1:], np.array([-1])).item()
             return found
 
     @cached_property
@@ -260,7 +263,7 @@ class Trajectory(Rows):
                 return np.asarray(formed)
             if self.t_eval is not None:
                 return np.array([self.row_excess_at(one, "right") for one in self._asked_times], dtype=object)
-            return self.row_excess[np.append(self._starts, -1) if self.reached else self._starts]
+            return self.row_excess[self._own_rows]
 
     def end_numbers(self) -> tuple[Number, ...]:
         """Return x1, v1, x2, v2, energy and, where there is E_cr, excess at the end."""

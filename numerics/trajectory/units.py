@@ -19,8 +19,10 @@ def unit(name: str) -> str:
 
     A signal without another name is a force; x1_phi is an angle.
 
-    >>> unit("a2"), unit("sines[0].amplitude"), unit("wall[1].polynomial[2]"), unit("belt[0].sines[0].omega")
-    ('N/m', 'N', 'm/s^2', 'rad/s')
+    >>> unit("a1"), unit("a2"), unit("sines[0].amplitude"), unit("belt[0].sines[0].omega")
+    ('N s/m', 'N/m', 'N', 'rad/s')
+    >>> [unit(f"wall[1].polynomial[{order}]") for order in range(3)]
+    ['m', 'm/s', 'm/s^2']
     >>> unit("v1 - v2"), unit("x1_at_t"), unit("m1 phi"), unit("load_x_radius"), unit("events")
     ('m/s', 'm', 'kg m^2', 'N', '')
     """

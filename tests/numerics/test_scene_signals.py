@@ -79,7 +79,7 @@ SMOOTH = (1, 0, -3, 2)  # (1 - t)^2 (1 + 2 t), down to 0 at t = 1
     ("piece", "until", "is_proved"),
     [
         (Piece(0, (1,), (Sine(1, 1),)), 100, True),
-        (Piece(0, (1 - TINY,), (Sine(1, 1),)), 100, False),
+        (Piece(0, (1 - TINY,), (Sine(1, 1, "-1.5"),)), 100, False),  # at the end of its period
         (Piece(0, ("0.999999",), (Sine(1, 1),)), 4, True),  # until before the least value
         (Piece(0, (1, -1)), 1, True),
         (Piece(0, (1, -1)), 1 + TINY, False),

@@ -62,6 +62,11 @@ AT_ONCE = {
     "both stop": (uneven([1, "1.5"], PUSH, PULL), "-- 00 1 guard", "-0.5 -2"),
     "one stops a little later": (uneven([1, "1.500000000001"], PUSH, PULL), "-- 0- 1 guard", "-0.5 -2"),
     "one stops, and a jump lets go of the other": (uneven([1, 0], PUSH, Force.step(1, 9)), "-0 0+ 1 jump", "-0.5 6"),
+    "a jump lets go of one, and the other stops": (
+        uneven([0, "1.5"], Force.step(1, 9), PULL),
+        "0- +0 1 jump",
+        "4.5 -2",
+    ),
     "one stops where there is a jump in which the other slips on": (
         uneven(["1/3", 9], PUSH, JUMP),
         "-- 0- 1/3 guard",

@@ -51,7 +51,8 @@ def test_what_is_not_decided_or_beyond_floats_is_a_status_of_its_row():
     assert "inside the friction set" in found.message[1]
     assert np.isnan(found.energy).tolist() == [False, True, True]
     assert heard == [(1, 3), (2, 3), (3, 3)]
-    assert solve_scenes(PUSHED, jobs=1, max_events=1).status.tolist() == [Status.EVENT_LIMIT] * 3
+    of_parts = PUSHED[0].replace(pair=PlanePair(1, 1, 200, "0.5", shape="box"))
+    assert solve_scenes([*PUSHED, of_parts], jobs=1, max_events=1).status.tolist() == [Status.EVENT_LIMIT] * 4
 
 
 @needs_joblib
