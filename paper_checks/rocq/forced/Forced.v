@@ -326,10 +326,10 @@ Definition push tau t := b / m2 * ((side (t - 2 * tau) + side (t - 0) - 2 * side
 
 (** the velocity has that acceleration *)
 Lemma rderiv_bang tau t : rderiv (bang tau) t (push tau t).
-Proof. unfold bang, push. rate; field. lra. Qed.
+Proof. unfold bang, push. generalize (b / m2). intros c. rate. field. Qed.
 (** the place has that velocity *)
 Lemma rderiv_run tau t : rderiv (run tau) t (bang tau t).
-Proof. unfold run, bang. rate; field. lra. Qed.
+Proof. unfold run, bang. generalize (b / m2). intros c. rate. field. Qed.
 (** the velocity changes as fast as friction allows and no faster *)
 Lemma bang_lip tau p q : 0 <= tau -> 0 <= p <= q -> Rabs (bang tau q - bang tau p) <= b / m2 * (q - p).
 Proof.
