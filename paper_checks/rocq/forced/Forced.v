@@ -346,6 +346,7 @@ Theorem least_time_attained x0 D : 0 < D -> exists U x v1 v2 s x2, forced U x v1
 Proof.
   intros HD. assert (Hq : 0 < m2 * D / b) by positive. set (tau := sqrt (m2 * D / b)).
   assert (Ht : 0 < tau) by positive. assert (Sq : tau * tau = m2 * D / b) by (apply sqrt_sqrt; lra).
+  assert (cont (fun t => t)) by (apply (lip_cont _ 1); [lra|]; intros; rewrite Rabs_pos_eq; lra).
   assert (C : cont (run tau)) by (unfold run; continuous).
   assert (L : forall p q, 0 <= p <= q -> Rabs (bang tau q - bang tau p) <= b / m2 * (q - p)) by (intros;
     apply bang_lip; lra).
