@@ -37,8 +37,8 @@ def _names(text: str) -> set[str]:
 
 NO_NUMBERS = _names(
     """FORMAT ENERGIES EVENT_COLUMNS accuracy animate arithmetic bounded but certain check context digits
-    end_bounds event_kinds event_rows final_mode floats frame has_critical_energy has_frame kept load look_up_times
-    message mode_at modes pieces plot reached record restored right_digits save scene signs status success
+    end_bounds event_kinds event_rows final_mode floats frame has_critical_energy has_frame kept load
+    message mode_at modes pictures pieces plot reached record restored right_digits save scene signs status success
     t_eval to_csv to_dataframe tried without_digits"""
 )
 """What says how and with which digits, and what gives the numbers below once more."""

@@ -53,7 +53,6 @@ def test_what_begins_at_a_tie_of_high_order_may_end_soon():
         assert abs(float(found.event_times[0]) - 4 / 60) < 1e-7
 
 
-@pytest.mark.parametrize("name", ["jump-at-contact-reverses", "jump-at-contact-sticks"])
-@pytest.mark.parametrize("arithmetic", ["ball", "float64"])
-def test_a_slip_that_ends_exactly_where_the_force_jumps_ends_by_itself(name, arithmetic):
-    assert solve(forced_scene(name), arithmetic=arithmetic, max_events=1).events[0].cause == "guard"
+def test_a_slip_that_ends_exactly_where_the_force_jumps_ends_by_itself():
+    for how in ("reverses", "sticks"):
+        assert solve(forced_scene(f"jump-at-contact-{how}")).events[0].cause == "guard"

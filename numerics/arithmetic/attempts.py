@@ -21,12 +21,14 @@ def to_digits(
     digits: int,
     max_digits: int | None = None,
     spare: int = SPARE_DIGITS,
+    doublings: int = MAX_DIGITS,
 ) -> Answer:
     """Return the answer of the first attempt whose balls have `digits` right digits each, or that says that it has.
 
     An attempt runs in the context of the arithmetic that it is given, the first one with `spare` digits more. A ball
     that may be 0 counts as right below 10^(-4 digits); one that is not finite is never right. The cap is MAX_DIGITS
-    unless another is given. Raises what the last attempt raised (EventUndecided), PrecisionExhausted.
+    unless another is given; of attempts that decide nothing so many `doublings` come after. Raises what the last
+    attempt raised (EventUndecided), PrecisionExhausted.
     """
     working, most = digits + spare, max_digits or MAX_DIGITS
     failure: EventUndecided | None = None
@@ -37,7 +39,9 @@ def to_digits(
                 answer, known = attempt(arithmetic)
                 reached = known if isinstance(known, int) else min(map(_right_digits, known), default=digits)
         except EventUndecided as error:
-            failure = error
+            failure, doublings = error, doublings - 1
+            if doublings < 0:
+                break
         else:
             if reached >= digits:
                 return answer

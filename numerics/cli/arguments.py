@@ -183,7 +183,7 @@ _COMMANDS: tuple[Command, ...] = (
         measure_trade,
         "measure time against accuracy, of this package and of other integrators",
         (
-            _option(_SCENE[0], f"{_SCENE[1]['help']}; default: ten scenes", nargs="?", metavar="SCENE"),
+            _option(_SCENE[0], f"{_SCENE[1]['help']}; default: nine scenes", nargs="?", metavar="SCENE"),
             _count("--digits", 100, "digits of balls: 15, 30, 100, 300, 1000 up to N"),
             _JSON,
             _PLOT,

@@ -6,6 +6,7 @@ import argparse
 import json
 import sys
 from collections.abc import Iterator
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, write_text
@@ -31,8 +32,10 @@ def solve_scene(options: argparse.Namespace) -> int:
         return refuse(wrong, USAGE)
     scene: Any = load_scene(options.scene)
     on_surface = isinstance(scene, PlaneScene)
-    for wrong in _wrong_on_a_surface(options) if on_surface else ():
-        return refuse(wrong, USAGE)
+    for flag in ("proof", "sensitivity", "check") if on_surface else ():
+        if getattr(options, flag):
+            others = "on a surface use --json, --csv, --npz, --plot or the table"
+            return refuse(f"--{flag} is available on a line only; {others}", USAGE)
     with shown_steps():
         trajectory: Any = solve(
             scene,
@@ -61,13 +64,10 @@ def solve_scene(options: argparse.Namespace) -> int:
 
         write_text(theorem(trajectory), options.proof)
     elif options.plot is not None:
-        from numerics.plane import pictures
-        from numerics.trajectory import figures
-
         with meter("drawing"):
-            write_figure((pictures if on_surface else figures).overview(trajectory), options.plot)
+            write_figure(trajectory.pictures.overview(trajectory), options.plot)
     else:
-        _print(trajectory, options, on_surface=on_surface)
+        _print(trajectory, options)
     return OK if trajectory.success else refuse(trajectory.message, FAILED)
 
 
@@ -100,16 +100,7 @@ def _wrong_use(options: argparse.Namespace) -> Iterator[str]:
         yield f"--npz {options.npz.name}: the name must end in .npz; for a table use --csv"
 
 
-def _wrong_on_a_surface(options: argparse.Namespace) -> Iterator[str]:
-    """Yield what is not offered for a surface."""
-    for flag in ("proof", "sensitivity", "check"):
-        if getattr(options, flag):
-            yield f"--{flag} is available on a line only; on a surface use --json, --csv, --npz, --plot or the table"
-    if options.arithmetic not in (None, "ball"):
-        yield f"--arithmetic {options.arithmetic} is available on a line only: balls solve a surface; leave it out"
-
-
-def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) -> None:
+def _print(trajectory: Any, options: argparse.Namespace) -> None:
     """Print a trajectory as JSON, as CSV or as a table, with its derivatives if they are wanted."""
     from numerics.trajectory.export import as_csv, as_record, at_times, table
 
@@ -128,23 +119,30 @@ def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) ->
         print(json.dumps(found, indent=1))
     else:
         whole = options.all or not sys.stdout.isatty()
-        print("\n".join(_table(trajectory, _of_a_surface if on_surface else _of_a_line, whole=whole)))
+        print("\n".join(_table(trajectory, whole=whole)))
         if options.sensitivity:
             from numerics.trajectory.sensitivity import sensitivity_table
 
             print(sensitivity_table(trajectory))
 
 
-def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
+def _table(trajectory: Any, *, whole: bool) -> list[str]:
     """Return the events, all or the first and the last, and the final state as lines; no digit is ever cut."""
     from numerics.scene.plane import AXES
-    from numerics.trajectory.export import END_NAMES, as_record
+    from numerics.trajectory.export import END_NAMES, as_record, by_axes
     from numerics.trajectory.units import unit
 
     count = len(trajectory.event_times)
     left_out = 0 if whole else max(0, count - 2 * SHOWN)
     found = as_record(trajectory, [*range(SHOWN), *range(count - SHOWN, count)] if left_out else None)
-    lines: list[str] = lines_of(found["events"])
+    events = [{"event": f"{one['from']} to {one['to']}", **by_axes(one)} for one in found["events"]]
+    speed = "v1 = v2 (m/s)" if all(one["v1"] == one["v2"] for one in found["events"]) else "v1 (m/s)"
+    head = {"event": "event", "t": "t (s)", "x1": "x1 (m)", "v1": speed, "x2": "x2 (m)"}
+    head |= {f"direction_{axis}": f"direction {axis}" for axis in AXES}
+    names = [name for name in head if name in {*chain(*events)}]
+    rows = [[one[name] for name in names] for one in (head, *events)]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows[: len(rows) * bool(events)]]
     if left_out:
         lines.insert(len(lines) - SHOWN, f"... {left_out} more events; --all prints them")
     final = found["final"]
@@ -158,25 +156,6 @@ def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
             value, of = ", ".join(value), ", ".join(units if len(set(units)) > 1 else units[:1])
         lines.append(f"  {LABELS.get(name, name)} = {value} {of}".rstrip())
     return [*lines, f"{found['arithmetic']}, at least {found['digits']} right digits"]
-
-
-def _of_a_line(events: list[dict[str, str]]) -> list[str]:
-    """Return events (where v1 = v2) below a head."""
-    rows = [("event", "t (s)", "x1 (m)", "v1 = v2 (m/s)", "x2 (m)")]
-    rows += [(f"{one['from']} to {one['to']}", one["t"], one["x1"], one["v1"], one["x2"]) for one in events]
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows] if events else []
-
-
-def _of_a_surface(events: list[dict[str, Any]]) -> list[str]:
-    """Return a line for each event."""
-    from numerics.scene.plane import AXES
-
-    lines = []
-    for one in events:
-        along = ", ".join(f"{axis} {x}" for axis, x in zip(AXES, one["direction"], strict=False))
-        lines.append(f"t = {one['t']} s: {one['from']} to {one['to']}" + (f", direction {along}" if along else ""))
-    return lines
 
 
 def _explained(trajectory: Any, *, on_surface: bool) -> str:

@@ -163,13 +163,11 @@ class Cells:
     def start(self, piece: ExactPiece, side: int, local: Fraction, state: Sequence[SineForm], order: int) -> Start:
         """Return where a mode begins from an exact state, whose w vanishes to an order; ties by derivatives."""
         x1, v1, x2, v2 = state
-        w, z = ((v1 - v2) * (side or 1)).rational, (x1 - x2).rational
-        if w is None or z is None:
-            raise ArithmeticError("a slip begins from rational w and z")
+        w, z = (v1 - v2) * (side or 1), (x1 - x2).constant  # z is rational: it is that of the start
         j, k = self.place_line(z, side or 1), bisect_right(self.speeds, w) - 1
         (p, slope), (q, pull) = self.by_speed[k], self.by_place[j]
-        if p + q + slope * w + pull * z <= 0:
-            raise self.vanishing(w, z, " at t = 0")
+        if (w * slope + (p + q + pull * z)).sign() <= 0:
+            raise self.vanishing(w.rounded(64), z, " at t = 0")
         if w == 0:
             return (0, j), (order, 0)
         orders = [0, 0]

@@ -62,8 +62,11 @@ class EventKind(Enum):
     """A slip meets the switching surface outside the sliding region and goes on with the other sign."""
 
 
-def event_kind(before: Mode, after: Mode) -> EventKind:
-    """Return the kind of the event that joins two modes."""
-    if after is Mode.STICK:
-        return EventKind.ENTRY
-    return EventKind.EXIT if before is Mode.STICK else EventKind.CROSSING
+def event_kind(gained: int) -> EventKind:
+    """Return the kind of an event after which more sticks, or less, or as much."""
+    return EventKind.ENTRY if gained > 0 else EventKind.EXIT if gained < 0 else EventKind.CROSSING
+
+
+def sticking(mode: object) -> int:
+    """Return how much sticks in a mode, on a surface a word: the pair, or so many axes of a box."""
+    return (mode == Mode.STICK) + str(mode).count("0")

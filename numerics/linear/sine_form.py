@@ -67,6 +67,10 @@ class SineForm:
             return NotImplemented
         return (self - other).sign() == 0
 
+    def __lt__(self, other: SineForm | Fraction | int) -> bool:
+        """Return whether the number is less, exact."""
+        return (self - other).sign() < 0
+
     __hash__ = None  # type: ignore[assignment]
 
     def sign(self) -> int:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.linear.modes import EventKind
+from numerics.linear.modes import EventKind, event_kind, sticking
 from numerics.plane.system import SPARE_BITS
 from numerics.scene.short_repr import ShortRepr
 
@@ -51,5 +51,4 @@ class PlaneEvent(ShortRepr):
     @property
     def kind(self) -> EventKind:
         """Return whether something sticks from now on, slips from now on, or only reverses."""
-        held = self.after.count("0") - self.before.count("0") + (self.after == "stick") - (self.before == "stick")
-        return EventKind.ENTRY if held > 0 else EventKind.EXIT if held < 0 else EventKind.CROSSING
+        return event_kind(sticking(self.after) - sticking(self.before))

@@ -328,16 +328,16 @@ def scene_text(scene: Scene | PlaneScene) -> str:
 
 def _lines(scene: Any) -> Iterator[str]:
     """Yield the lines; on a surface numbers are lists, and a piece of force has its axis."""
+    start, friction = getattr(scene, "initial", scene), scene.friction
     yield from _table("[pair]", scene.pair, "m1 m2 a1 a2 b b_static shape")
+    yield from (*_table("[initial]", start, "x1 v1 x2 v2"), *_table("[run]", scene, "until law"))
     if isinstance(scene, PlaneScene):
-        yield from (*_table("[initial]", scene, "x1 v1 x2 v2"), *_table("[run]", scene, "until"))
         forces = [("force", f'axis = "{axis}"', force.pieces) for axis, force in zip(AXES, scene.force, strict=False)]
-        for start, b in scene.friction:
-            yield from ("[[friction]]", f"from = {_text(start)}", f"b = {_text(b)}")
+        for begin, b in friction:
+            yield from ("[[friction]]", f"from = {_text(begin)}", f"b = {_text(b)}")
     else:
-        yield from (*_table("[initial]", scene.initial, "x1 v1 x2 v2"), *_table("[run]", scene, "until law"))
-        if scene.friction.weakening is not None:
-            yield from _table("[weakening]", scene.friction.weakening, "last_slope speed place")
+        if friction.weakening is not None:
+            yield from _table("[weakening]", friction.weakening, "last_slope speed place")
         forces = [(name, "body = 2" if name == "force_2" else "", some) for name, some in scene.pieces.items()]
     for name, more, pieces in forces:
         for piece in pieces:

@@ -2,26 +2,35 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from numerics.arithmetic.precision import cached_property
+from numerics.exits import tool
+from numerics.habits import Helpful
 from numerics.meter import meter
 from numerics.scene.decimals import require_one_of
 from numerics.scene.short_repr import html_table
 from numerics.solver.inputs import varying
-from numerics.solver.tables import Tabled
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.digits import FEW_DIGITS
 from numerics.trajectory.status import Status
+from numerics.trajectory.units import unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
-class Batch(Tabled):
+_TAKEN = "dissipated", "dissipated_error"
+
+
+class Batch(Helpful):
     """Final states of many runs; arrays have the broadcast shape of the inputs, `y` and `y_error` (4, ...).
 
     status         a Status                       events    how many there were
@@ -89,6 +98,8 @@ class Batch(Tabled):
     certain: Array
     energy: Floats
     energy_error: Floats
+    dissipated: Floats
+    dissipated_error: Floats
     energy_excess: Floats
     energy_excess_error: Floats
     event_t: Floats
@@ -97,27 +108,38 @@ class Batch(Tabled):
     event_t_error: Floats
     event_y_error: Floats
 
-    def __init__(self, shape: tuple[int, ...], runs: object) -> None:
-        """Keep what forms `inputs`, `answers` and, on a line, `taken`, and has the NAMES that can be drawn."""
-        kept: Any = runs
-        self.shape, self.ANSWERS, self._runs = shape, kept.NAMES, kept
+    def __init__(
+        self,
+        shape: tuple[int, ...],
+        drawn: tuple[str, ...],
+        inputs: Callable[[], dict[str, Array]],
+        answers: Callable[[], dict[str, Array]],
+        taken: Callable[[], Floats] | None = None,
+    ) -> None:
+        """Keep which answers can be drawn, and what forms inputs, answers and, on a line, what was taken."""
+        self.shape, self.ANSWERS, self._inputs, self._formed, self._took = shape, drawn, inputs, answers, taken
+
+    def __len__(self) -> int:
+        """Return how many scenes there were."""
+        return math.prod(self.shape)
 
     @cached_property
-    def _answers(self) -> dict[str, Any]:
+    def _answers(self) -> dict[str, Array]:
         """Return all arrays by their names, formed when the first of them is looked at."""
-        found: dict[str, Any] = self._runs.answers()
-        return found
+        return self._formed()
 
     if not TYPE_CHECKING:
 
         def __getattr__(self, name):
             """Return an array of answers; AttributeError with the right word where there is none."""
+            if name in _TAKEN and self._took:
+                return self._taken[_TAKEN.index(name)]
             known = {} if name.startswith("_") else self._answers
             return known[name] if name in known else super().__getattr__(name)
 
     def __dir__(self) -> list[str]:
         """Return the names of what this batch has: one on a surface has other answers than one on a line."""
-        return sorted({*super().__dir__(), *self._answers})
+        return sorted({*super().__dir__(), *self._answers, *_TAKEN[: 2 * bool(self._took)]})
 
     def __repr__(self) -> str:
         """Return a short summary."""
@@ -127,7 +149,7 @@ class Batch(Tabled):
         failed = failed if len(failed) else np.argwhere(self.digits <= FEW_DIGITS)
         which = ", ".join(map(str, failed[:5].tolist())) + ", ..." * (len(failed) > 5)
         first = f"; {f'scene {which}: ' * bool(self.shape)}{self.message[*failed[0]]}" if len(failed) else ""
-        return f"Batch of {len(self)} scenes, shape {self.shape}{ended}{first}"
+        return f"{type(self).__name__} of {len(self)} scenes, shape {self.shape}{ended}{first}"
 
     @property
     def success(self) -> Array:
@@ -143,42 +165,73 @@ class Batch(Tabled):
     def values(self, answer: str) -> Array:
         """Return one of `ANSWERS`; x1, v1, x2, v2 are those at `t`. Raises ValueError."""
         require_one_of("answer", answer, self.ANSWERS)
-        found: Array = self.y[STATE.index(answer)] if answer in STATE else getattr(self, answer)
-        return found
+        names = answer.split(" - ")
+        found, *less = (self.y[STATE.index(name)] if name in STATE else getattr(self, name) for name in names)
+        return np.asarray(found - less[0] if less else found)
 
     def __getitem__(self, answer: str) -> Array:
         """Return the same: found["x1"]. Raises ValueError."""
         return self.values(answer)
 
     @property
-    def inputs(self) -> dict[str, Floats]:  # type: ignore[override]  # formed when it is asked for
+    def inputs(self) -> dict[str, Floats]:
         """Return m1, m2, a2, b, x1, v1, x2, v2, until, a1 and all else that varies, SI units, each in the shape.
 
         On a surface "m1 x", "m1 y", ..., m2, b, x1, v1, x2, v2 by axes, and until.
         """
-        return {name: np.broadcast_to(one, self.shape) for name, one in self._runs.inputs().items()}
+        return {name: np.broadcast_to(one, self.shape) for name, one in self._inputs().items()}
 
     @cached_property
     def _taken(self) -> Floats:
-        return np.asarray(self._runs.taken())
+        return self._took()  # type: ignore[misc]
 
     @property
-    def dissipated(self) -> Floats:
-        """Energy dissipated by friction and viscosity, J."""
-        found: Floats = self._taken[0]
-        return found
-
-    @property
-    def dissipated_error(self) -> Floats:
-        """Return a bound on its error."""
-        found: Floats = self._taken[1]
-        return found
-
-    @property
-    def results(self) -> dict[str, Array]:  # type: ignore[override]  # formed when it is asked for
+    def results(self) -> dict[str, Array]:
         """Return how each run ended, and all of `ANSWERS`, by their names."""
         ended = np.vectorize(lambda one: Status(one).name, otypes=[object])(self.status)
         return {"status": ended, "success": self.success} | {name: self.values(name) for name in self.ANSWERS}
+
+    def _columns(self) -> dict[str, Array]:
+        return self.inputs | {f"{name}_at_t" if name in STATE else name: one for name, one in self.results.items()}
+
+    def to_dataframe(self) -> DataFrame:
+        """Return inputs and results as a pandas DataFrame, a row for each scene, or point of it. Raises MissingTool.
+
+        `.attrs["units"]` has the units. x1, v1, x2, v2 are those at the start, x1_at_t, ... those at `t`.
+        """
+        columns = self._columns()
+        whole = max((one.shape for one in columns.values()), key=len)
+        wide = {name: one.reshape(one.shape + (1,) * (len(whole) - one.ndim)) for name, one in columns.items()}
+        found: DataFrame = tool("pandas").DataFrame(
+            {name: np.broadcast_to(one, whole).ravel() for name, one in wide.items()}
+        )
+        found.attrs["units"] = {name: unit(name) for name in columns}
+        return found
+
+    def to_xarray(self) -> Dataset:
+        """Return the same as an xarray Dataset. Raises MissingTool.
+
+        An axis is named by the input whose values label it, if one alone varies along it and no value comes twice;
+        else it is `scene`, of a grid `axis_0`, `axis_1`, ...
+        """
+        make, columns, axes = tool("xarray").Dataset, self._columns(), {}
+        names = ["scene"] if len(self.shape) == 1 else [f"axis_{k}" for k in range(len(self.shape))]
+        moving = {
+            name: [k for k in range(one.ndim) if (one != one.take([0], axis=k)).any()]
+            for name, one in varying(self.inputs).items()
+        }
+        for k in range(len(names)):
+            along = [name for name, places in moving.items() if places == [k]]
+            if len(along) != 1:
+                continue
+            values = np.moveaxis(columns[along[0]], k, 0).reshape(self.shape[k], -1)[:, 0]
+            if len(np.unique(values)) == len(values):
+                names[k], axes[along[0]] = along[0], values
+                del columns[along[0]]
+        found: Dataset = make({name: ((*names, "point")[: one.ndim], one) for name, one in columns.items()}, axes)
+        for name in found.variables:
+            found[name].attrs["units"] = unit(name)
+        return found
 
     @meter("drawing")
     def plot(self, answer: str | None = None, along: str | ArrayLike | None = None, ax: Axes | None = None) -> Axes:

@@ -18,6 +18,12 @@ def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
     axes, ax = along_of(batch, along), axes_for(answer, batch.ANSWERS, ax, "answer")
     values = batch.values(answer)
     right, label = np.ravel(batch.success), _label(answer if answer not in STATE else f"{answer} at the end", answer)
+    if values.ndim > len(batch.shape):
+        (name, given), *_ = axes.items()
+        x = np.broadcast_to(given[..., None], values.shape)
+        ax.plot(x.ravel(), values.ravel(), ".", color=BLUE, ms=1.5, alpha=0.6, rasterized=True)
+        ax.set(xlabel=_label(name), ylabel=f"{answer}, once a period ({unit(answer)})")
+        return ax
     points = [np.ravel(one) for one in axes.values()]
     if len(points) == 1:
         points.append(np.ravel(values))
@@ -36,17 +42,6 @@ def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
         ax.plot(*(one[~right] for one in points), "x", color=ORANGE, ms=4, label="not at the horizon, or not certain")
         ax.legend(fontsize="small")
     ax.set_xlabel(_label(next(iter(axes))))
-    return ax
-
-
-def draw_bifurcation(found: Any, answer: str, along: Any, ax: Any) -> Any:
-    """Draw into matplotlib axes; see Bifurcation.plot."""
-    ((name, given), *_), ax = along_of(found, along).items(), axes_for(answer, found.ANSWERS, ax, "answer")
-    points = found.values(answer)
-    x = np.broadcast_to(np.reshape(given, (-1, 1)), points.shape)
-    ax.plot(x.ravel(), points.ravel(), ".", color=BLUE, ms=1.5, alpha=0.6, rasterized=True)
-    ax.set_xlabel(_label(name))
-    ax.set_ylabel(f"{answer}, once a period ({unit(answer)})")
     return ax
 
 

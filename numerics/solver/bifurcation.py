@@ -4,31 +4,27 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import Any
 
 import numpy as np
 
 from numerics.errors import InvalidScene, NumericsError
 from numerics.meter import meter
 from numerics.scene import Piece, Scene
-from numerics.scene.decimals import Exact, listed, positive, require_one_of, require_whole
+from numerics.scene.decimals import Exact, listed, positive, require_whole
 from numerics.scene.model import require_kind
-from numerics.scene.short_repr import ShortRepr
-from numerics.solver.inputs import inputs_of
+from numerics.solver.batch import Batch
+from numerics.solver.inputs import ended_by, inputs_of
 from numerics.solver.solve import solve
-from numerics.solver.tables import Tabled
 from numerics.tasks import run_tasks
-from numerics.trajectory.columns import STATE, Array, Floats
+from numerics.trajectory.columns import Floats
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from numpy.typing import ArrayLike
+_DRAWN = ("v1", "v1 - v2", "x1 - x2", "x1", "v2", "x2", "t")
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Bifurcation(ShortRepr, Tabled):
-    """States once a period: `t` (n, keep) s, `y` (4, n, keep), `inputs` by their names, `success` (n,).
+class Bifurcation(Batch):
+    """States once a period: `t` (n, keep) s, `y` (4, n, keep); all else as in Batch.
 
     Points that a run did not reach are nan.
 
@@ -36,56 +32,18 @@ class Bifurcation(ShortRepr, Tabled):
     >>> base = Scene(Pair(1, 1, 200, "0.5", a1=1), State(), until=60)
     >>> found = bifurcation([base.replace(force=Force.sine(one, 12)) for one in (2, 8, 14)], keep=20)
     >>> found
-    Bifurcation(scenes=(Scene(...), Scene(...), Scene(...)), t=array of shape (3, 20), y=array of shape (4, 3, 20), ...)
-    >>> found.y.shape, found.success.tolist()
-    ((4, 3, 20), [True, True, True])
+    Bifurcation of 3 scenes, shape (3,): 3 REACHED_HORIZON; 691 events
+    >>> found.y.shape, found.t[0, -1].round(3).item(), found.success.tolist()
+    ((4, 3, 20), 59.69, [True, True, True])
     >>> found.inputs["force[0].sines[0].amplitude"].tolist(), found.values("v1 - v2").shape
     ([2.0, 8.0, 14.0], (3, 20))
-    >>> bool(np.ptp(found.values("v1"), axis=1).max() < 1e-3), found.t[0, -1].round(3).item(), found.ANSWERS[0]
-    (True, 59.69, 'v1')
-    >>> found.shape, len(found.scenes), [*found.results], found.to_dataframe().shape
-    ((3,), 3, ['success', 't', 'x1', 'v1', 'x2', 'v2'], (60, 20))
+    >>> bool(np.ptp(found["v1"], axis=1).max() < 1e-3), found.ANSWERS[:3], found.to_dataframe().shape
+    (True, ('v1', 'v1 - v2', 'x1 - x2'), (60, 23))
+    >>> found.shape, [*found.results]
+    ((3,), ['status', 'success', 'v1', 'v1 - v2', 'x1 - x2', 'x1', 'v2', 'x2', 't'])
     >>> found.plot("v1 - v2").get_xlabel()
     'force[0].sines[0].amplitude (N)'
     """
-
-    scenes: list[Scene]
-    t: Floats
-    y: Floats
-    success: Array
-    ANSWERS = ("v1", "v1 - v2", "x1 - x2", "x1", "v2", "x2")
-    """What can be drawn."""
-
-    @property
-    def shape(self) -> tuple[int, ...]:  # type: ignore[override]  # of a frozen record
-        """Return (n,)."""
-        return self.success.shape
-
-    @property
-    def inputs(self) -> dict[str, Floats]:  # type: ignore[override]
-        """Return the numbers of the scenes by their names, (n,) each, SI units."""
-        return inputs_of(self.scenes)
-
-    @property
-    def results(self) -> dict[str, Array]:  # type: ignore[override]
-        """Return success, and t, x1, v1, x2 and v2 at the points, by their names."""
-        return {"success": self.success, "t": self.t, **dict(zip(STATE, self.y, strict=True))}
-
-    def values(self, answer: str) -> Floats:
-        """Return one of `ANSWERS` at the points, (n, keep). Raises ValueError."""
-        require_one_of("answer", answer, self.ANSWERS)
-        one, *two = (self.y[STATE.index(name)] for name in answer.split(" - "))
-        return np.asarray(one - two[0] if two else one)
-
-    @meter("drawing")
-    def plot(self, answer: str = "v1", along: str | ArrayLike | None = None, ax: Axes | None = None) -> Axes:
-        """Draw one of `ANSWERS` over the input that varies, or `along` (a name, or an array); return the axes.
-
-        Raises ValueError, MissingTool.
-        """
-        from numerics.solver.batch_picture import draw_bifurcation
-
-        return draw_bifurcation(self, answer, along, ax)
 
 
 def bifurcation(
@@ -111,23 +69,30 @@ def bifurcation(
     for one in scenes:
         require_kind("bifurcation", one, Scene, "give a list of Scenes on a line")
     require_whole("jobs", jobs, 1)
-    t, y = np.full((len(scenes), keep), np.nan), np.full((4, len(scenes), keep), np.nan)
-    success = np.zeros(len(scenes), bool)
     tasks = [(k, scene, _times(scene, keep, period)) for k, scene in enumerate(scenes)]
     with meter("solving") as progress:
-        for k, success[k], y[:, k] in run_tasks(_points, tasks, jobs=jobs, progress=progress):
-            t[k] = tasks[k][2]
-    return Bifurcation(scenes, t, y, success)
+        rows = dict(run_tasks(_points, tasks, jobs=jobs, progress=progress))
+    return Bifurcation((len(scenes),), _DRAWN, partial(inputs_of, scenes), partial(_answers, rows, tasks))
 
 
-def _points(task: tuple[int, Scene, Floats]) -> tuple[int, bool, Floats]:
-    """Return the number of a scene, whether its run succeeded, and the states at some times."""
+def _points(task: tuple[int, Scene, Floats]) -> tuple[int, tuple[Any, ...]]:
+    """Return the number of a scene, how its run ended, and the states at some times."""
     k, scene, times = task
+    nothing = np.full((4, len(times)), np.nan)
     try:
         run = solve(scene)
-        return k, run.success, run.floats(run.sol(times))
-    except (NumericsError, ValueError):  # undecided, or stopped before these times
-        return k, False, np.full((4, len(times)), np.nan)
+        reaches = run.reached or run.floats(run.end_time) >= times[-1]
+        y = run.floats(run.sol(times)) if reaches else nothing
+        return k, (run.status, run.message, len(run.events), run.right_digits, y)
+    except NumericsError as error:
+        return k, (ended_by(error), str(error), 0, 0, nothing)
+
+
+def _answers(rows: dict[int, tuple[Any, ...]], tasks: Sequence[tuple[int, Scene, Floats]]) -> dict[str, Any]:
+    """Return the arrays of the answer by their names."""
+    *said, y = zip(*(rows[k] for k, *_ in tasks), strict=True)
+    named = dict(zip(("status", "message", "events", "digits"), map(np.array, said), strict=True))
+    return named | {"t": np.array([times for *_, times in tasks]), "y": np.moveaxis(np.array(y), 1, 0)}
 
 
 def _times(scene: Scene, keep: int, period: Exact | None) -> Floats:

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
+from itertools import product
 from typing import Any
 
 import numpy as np
 from flint import arb
 
+from numerics.errors import InvalidScene, NumericsError, OutOfRange
 from numerics.scene import Scene
 from numerics.scene.model import parameters
-from numerics.trajectory.columns import Floats
+from numerics.scene.plane import AXES, PlaneScene
+from numerics.trajectory.columns import STATE, Floats
+from numerics.trajectory.status import Status
 
 SI = ("m1", "m2", "a2", "b", "x1", "v1", "x2", "v2", "until", "a1")
 """The numbers of a scene, as the compiled engines take them (free/frame.py)."""
@@ -33,13 +38,31 @@ def floats_of(balls: Any) -> tuple[Floats, Floats]:
     return near, off * (1 + 1e-15)
 
 
-def inputs_of(scenes: Sequence[Scene], shape: tuple[int, ...] = (-1,)) -> dict[str, Floats]:
+def inputs_of(scenes: Sequence[Scene | PlaneScene], shape: tuple[int, ...] = (-1,)) -> dict[str, Floats]:
     """Return the numbers that all of some scenes have, by their names, in a shape; none of tables of samples."""
-    tables = {name for one in scenes for name, some in one.pieces.items() if len(some) > _MOST_PIECES}
-    found = [parameters(one) | {"until": one.until} for one in scenes]
-    names = [name for name in (found[0] if found else ()) if name.partition("[")[0] not in tables]
-    common = (name for name in names if all(name in one for one in found))
+    found = [*map(_numbers_of, scenes)]
+    common = (name for name in (found[0] if found else ()) if all(name in one for one in found))
     return {name: np.reshape([near(one[name]) for one in found], shape) for name in common}
+
+
+def _numbers_of(scene: Scene | PlaneScene) -> dict[str, Fraction]:
+    """Return the numbers of a scene by their names; on a surface those that each axis has."""
+    if isinstance(scene, PlaneScene):
+        places = product(enumerate(AXES[: scene.pair.axes]), ("m1", "m2", "b", *STATE))
+        named = {
+            f"{name} {axis}": getattr(scene if name in STATE else scene.pair, name)[k] for (k, axis), name in places
+        }
+        return {"until": scene.until} | named
+    tables = tuple(f"{name}[" for name, some in scene.pieces.items() if len(some) > _MOST_PIECES)
+    found = parameters(scene) | {"until": scene.until}
+    return {name: one for name, one in found.items() if not name.startswith(tables)}
+
+
+def ended_by(error: NumericsError) -> Status:
+    """Return how a run of a batch ended that has no answer; a part of a box may have too many events."""
+    if isinstance(error, OutOfRange):
+        return Status.OUT_OF_RANGE
+    return Status.EVENT_LIMIT if isinstance(error, InvalidScene) else Status.SEQUENCE_OPEN
 
 
 def varying(inputs: dict[str, Floats]) -> dict[str, Floats]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from numerics.trajectory.digits import FEW_DIGITS, ROUNDING
 from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.status import Status
 
+DRAWN = ("dissipated", "energy_excess", "events", "mode", "digits", "t", *STATE)
 _SENTENCES = np.array([one.sentence for one in sorted(Status)], dtype=object)
 
 
@@ -25,17 +26,15 @@ class Rows:
     """SI numbers (n, 10) of scenes on a line, rows that the runs wrote (linear/record.py), the shape of all answers.
 
     Rows are of ends, and of start and first events; in these the time counts from the start of the run. `form` writes
-    to the ends what was taken where that is nan, `inputs` returns what varies; `walls` says where a wall moves.
+    to the ends what was taken where that is nan; `walls` says where a wall moves.
     """
 
-    inputs: Callable[[], dict[str, Any]]
     numbers: Floats
     ends: Floats
     kept: Floats
     shape: tuple[int, ...]
     form: Callable[[Floats], None]
     walls: Any
-    NAMES: ClassVar = ("dissipated", "energy_excess", "events", "mode", "digits", "t", *STATE)
 
     def taken(self) -> Floats:
         """Return what friction and viscosity took, J, and its bound, (2, *shape)."""

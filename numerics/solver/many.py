@@ -24,7 +24,7 @@ from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import Batch
 from numerics.solver.inputs import SI, inputs_of, near
-from numerics.solver.line_batch import Rows
+from numerics.solver.line_batch import DRAWN, Rows
 from numerics.solver.rows import Limits, Progress, Work
 from numerics.trajectory.columns import STATE, Array, room
 from numerics.trajectory.run import MAX_EVENTS
@@ -118,7 +118,8 @@ def solve_many(
     work = Work(scene_of, limits, flat, terms, law is Law.THREE_VALUED_SGN)
     kept, ends = work.solved(len(flat), progress)
     numbers = np.ascontiguousarray(flat[:, : len(SI)])
-    return Batch(shape, Rows(arrays.copy, numbers, ends, kept, shape, work.form_ledgers, np.False_))
+    rows = Rows(numbers, ends, kept, shape, work.form_ledgers, np.False_)
+    return Batch(shape, DRAWN, arrays.copy, rows.answers, rows.taken)
 
 
 def solve_scenes(
@@ -156,7 +157,8 @@ def _one_by_one(scenes: Sequence[Scene], limits: Limits, progress: Progress | No
     work = Work(scenes.__getitem__, limits._replace(jobs=1))
     kept, ends = work.solved(len(scenes), progress)
     walls = np.array([bool(one.wall.pieces) for one in scenes], dtype=bool).reshape(shape)
-    return Batch(shape, Rows(partial(inputs_of, scenes, shape), numbers, ends, kept, shape, work.form_ledgers, walls))
+    rows = Rows(numbers, ends, kept, shape, work.form_ledgers, walls)
+    return Batch(shape, DRAWN, partial(inputs_of, scenes, shape), rows.answers, rows.taken)
 
 
 def _of_one_kind(given: Any) -> Any:

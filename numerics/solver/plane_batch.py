@@ -3,80 +3,58 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import partial
 from importlib.util import find_spec
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
-from numerics.errors import InvalidScene, NumericsError, OutOfRange
-from numerics.plane.solve import solve_plane
-from numerics.scene.plane import AXES, PlaneScene
+from numerics.errors import NumericsError, OutOfRange
+from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import Batch
-from numerics.solver.inputs import floats_of, near
-from numerics.solver.solve import solve
+from numerics.solver.inputs import ended_by, floats_of, inputs_of
+from numerics.solver.solve import DIGITS, Limits, solve_to_digits
 from numerics.tasks import available_cores, run_tasks
-from numerics.trajectory.columns import STATE, room
+from numerics.trajectory.columns import room
 from numerics.trajectory.status import Status
 
 _FEW = 8
 """So many scenes are solved before other processes have started."""
 
 
-@dataclass(frozen=True, eq=False)
-class Surfaces:
-    """Scenes with one number of axes, and the answers of each by the names of arrays."""
+def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[int, tuple[Any, ...]]:
+    """Return the number of a scene, how its run ended, and t, energy and state at the first events and at the end.
 
-    scenes: Sequence[PlaneScene]
-    rows: Sequence[dict[str, Any]]
-    NAMES: ClassVar = ("energy", "events", "digits", "t")
-
-    def inputs(self) -> dict[str, Any]:
-        """Return "m1 x", "m1 y", ..., m2, b, x1, v1, x2, v2 by axes, and until, (rows,) each, SI units."""
-        named = {"until": [one.until for one in self.scenes]}
-        for k in range(self.scenes[0].pair.axes):
-            for name in ("m1", "m2", "b", *STATE):
-                of = [one if name in STATE else one.pair for one in self.scenes]
-                named[f"{name} {AXES[k]}"] = [getattr(one, name)[k] for one in of]
-        return {name: np.array([near(x) for x in given]) for name, given in named.items()}
-
-    def answers(self) -> dict[str, Any]:
-        """Return the arrays of a batch by their names; those of states have x1, v1, x2, v2 along the first axis."""
-        words = {"mode", "message", "event_mode"}
-        found = {
-            name: np.array([row[name] for row in self.rows], dtype=object if name in words else None)
-            for name in self.rows[0]
-        }
-        return {name: np.moveaxis(one, -2, 0) if "y" in name.split("_") else one for name, one in found.items()}
-
-
-def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[int, dict[str, Any]]:
-    """Return the answers of a scene, by the names of arrays."""
+    These with their errors, (2, keep + 1, 2 + 4 n); all is nan where there is no run.
+    """
     row, scene = task
-    found: dict[str, Any]
+    found, modes = np.full((2, keep + 1, 2 + 4 * scene.pair.axes), np.nan), [""] * keep
     try:
-        run = solve_plane(scene, solve, max_events=max_events)
+        run = solve_to_digits(scene, DIGITS, Limits(max_events))
+        kept = min(keep, len(run.events))
         with run.context():
-            (t, late), (energy, energy_off), both = (floats_of(x) for x in (run.t, run.final_energy, run.y))
-        y, off = (x.reshape(4, scene.pair.axes, -1).transpose(2, 0, 1) for x in both)
-        if not np.isfinite(off).all():
+            numbers = np.array([run.t, run.energy, *run.y]).T[[*range(1, kept + 1), -1]]
+            found[:, [*range(kept), -1]] = floats_of(numbers)
+        if not np.isfinite(found[:, -1]).all():
             raise OutOfRange(Status.OUT_OF_RANGE.sentence)
-        found = {"status": run.status, "message": run.message, "mode": run.final_mode, "digits": run.digits}
-        modes = [one.after for one in run.events]
+        modes[:kept] = run.modes[1 : kept + 1]
+        return row, (run.status, run.message, len(run.events), run.final_mode, run.digits, modes, found)
     except NumericsError as error:
-        capped = isinstance(error, InvalidScene)  # of a part of a box, which has no answer of its own
-        ended = Status.EVENT_LIMIT if capped else Status.SEQUENCE_OPEN
-        ended = Status.OUT_OF_RANGE if isinstance(error, OutOfRange) else ended
-        found, modes = {"status": ended, "message": str(error), "mode": "", "digits": 0}, []
-        t = late = energy = energy_off = np.full(1, np.nan)
-        y = off = np.full((1, 4, scene.pair.axes), np.nan)
-    found |= {"t": t[-1], "energy": energy.flat[0], "energy_error": energy_off.flat[0], "y": y[-1], "y_error": off[-1]}
-    found |= {"events": len(modes), "event_mode": (modes + [""] * keep)[:keep]}
-    for name, values in (("event_t", t), ("event_t_error", late), ("event_y", y), ("event_y_error", off)):
-        beyond = np.full((keep, *values.shape[1:]), np.nan)
-        found[name] = np.concatenate([values[1:-1], beyond])[:keep]
-    return row, found
+        return row, (ended_by(error), str(error), 0, "", 0, modes, np.full_like(found, np.nan))
+
+
+def _answers(rows: Sequence[tuple[Any, ...]], axes: int) -> dict[str, Any]:
+    """Return the arrays of a batch by their names; those of states have x1, v1, x2, v2 along the first axis."""
+    *words, found = zip(*rows, strict=True)
+    kinds = {"status": int, "message": object, "events": int, "mode": object, "digits": int, "event_mode": object}
+    answers: dict[str, Any] = {
+        name: np.array(one, kind) for (name, kind), one in zip(kinds.items(), words, strict=True)
+    }
+    for end, numbers in zip(("", "_error"), np.array(found).swapaxes(0, 1), strict=True):
+        y = np.moveaxis(numbers[..., 2:].reshape(*numbers.shape[:2], 4, axes), 2, 0)
+        answers |= {f"t{end}": numbers[:, -1, 0], f"energy{end}": numbers[:, -1, 1], f"y{end}": y[:, :, -1]}
+        answers |= {f"event_t{end}": numbers[:, :-1, 0], f"event_y{end}": y[:, :, :-1]}
+    return answers
 
 
 def solve_surfaces(
@@ -88,4 +66,5 @@ def solve_surfaces(
         jobs = available_cores() if len(scenes) > _FEW and find_spec("joblib") else 1
     solved = partial(_solved, keep_events, max_events)
     rows = dict(run_tasks(solved, [*enumerate(scenes)], jobs=jobs, progress=progress))
-    return Batch((len(scenes),), Surfaces(scenes, [rows[row] for row in range(len(scenes))]))
+    answers = partial(_answers, [rows[row] for row in range(len(scenes))], scenes[0].pair.axes)
+    return Batch((len(scenes),), ("energy", "events", "digits", "t"), partial(inputs_of, scenes), answers)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from itertools import takewhile
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, Unpack, get_args, overload
 
@@ -11,10 +12,10 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic
-from numerics.errors import EventUndecided, NumericsError, OutOfRange
+from numerics.errors import EventUndecided, InvalidScene, NumericsError, OutOfRange
 from numerics.meter import meter
 from numerics.scene import Scene
-from numerics.scene.decimals import Exact, require_digits, require_function, require_one_of
+from numerics.scene.decimals import Exact, require_digits, require_function, require_one_of, shown
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.columns import Array
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
 
 ArithmeticName = Literal["float64", "mpmath", "ball"]
 MAX_DIGITS = 20_000
+DIGITS = 15
+"""Proved digits of balls where none are asked for."""
 _WORTH_A_TRY = 15
 """Right digits up to which float64 is tried."""
 _MOST_IN_BALLS = 10_000
@@ -37,16 +40,29 @@ _LADDER: tuple[Arithmetic, ...] = (_FLOAT64, Ball(34), Ball(68), Ball(136), Ball
 """What decides a sequence, and finds digits, in the order in which they are tried."""
 
 
-class _Limits(NamedTuple):
-    events: int
-    digits: int
-    progress: Progress | None
+_OF_A_SURFACE = 6, 2
+"""Working digits beyond those that are wanted, and how often they are doubled, where a surface decides nothing."""
+
+
+class Limits(NamedTuple):
+    """What bounds a solve, and who is told of its progress."""
+
+    events: int = MAX_EVENTS
+    digits: int = MAX_DIGITS
+    progress: Progress | None = None
 
     def allow(self, arithmetic: Arithmetic) -> bool:
+        """Return whether an arithmetic may be tried."""
         return arithmetic is _FLOAT64 or arithmetic.digits <= self.digits
 
-    def run(self, scene: Scene, arithmetic: Arithmetic) -> Trajectory:
-        return run_scene(scene, arithmetic, self.events, self.progress)
+    def run(self, scene: Any, arithmetic: Arithmetic) -> Any:
+        """Solve a scene once."""
+        if not isinstance(scene, PlaneScene):
+            return run_scene(scene, arithmetic, self.events, self.progress)
+        from numerics.plane.solve import run_plane
+
+        line = partial(solve_to_digits, limits=self._replace(digits=MAX_DIGITS))
+        return run_plane(scene, arithmetic.digits, self.events, self.progress, line)
 
 
 class _Options(TypedDict, total=False):
@@ -130,12 +146,7 @@ def solve(
     if t_eval is not None:
         require_times(t_eval, scene.until)
     with meter("solving", progress, ticks=False) as line:
-        if isinstance(scene, PlaneScene):
-            from numerics.plane.solve import solve_plane
-
-            asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": line}
-            return solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits)
-        found = _solve(scene, digits, arithmetic, _Limits(max_events, max_digits, line))
+        found = _solve(scene, digits, arithmetic, Limits(max_events, max_digits, line))
     return found if t_eval is None else found.but(t_eval=t_eval)
 
 
@@ -145,20 +156,24 @@ def require_arithmetic(name: Any) -> None:
         require_one_of("arithmetic", name, get_args(ArithmeticName))
 
 
-def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Limits) -> Trajectory:
+def _solve(scene: Any, digits: int | None, arithmetic: str | None, limits: Limits) -> Any:
+    on_surface = isinstance(scene, PlaneScene)
+    if on_surface and arithmetic not in (None, "ball"):
+        why = "is available on a line only: a surface is solved in balls; leave it out"
+        raise InvalidScene(f"arithmetic = {shown(arithmetic)} {why}")
+    if arithmetic == "ball" or on_surface:
+        return solve_to_digits(scene, digits or DIGITS, limits)
     if arithmetic is None:
         return _solve_surely(scene, limits) if digits is None else _solve_cheaply(scene, digits, limits)
     if arithmetic == "float64":
         return limits.run(scene, _FLOAT64)
-    if arithmetic == "ball":
-        return _solve_to_digits(scene, digits or 15, limits)
     working = (digits or 30) + SPARE_DIGITS
     if working > limits.digits:
         raise exhausted(working - SPARE_DIGITS, limits.digits)
     return limits.run(scene, Multiprecision(working))
 
 
-def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
+def _solve_surely(scene: Scene, limits: Limits) -> Trajectory:
     """Return a trajectory in float64; where its bound leaves the events open, or no digit, in the next arithmetic.
 
     The first one that knows the events, where none has a right digit of everything.
@@ -187,7 +202,7 @@ def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
     return best.but(tried="; ".join(tried))
 
 
-def _ladder(limits: _Limits) -> Iterator[Arithmetic]:
+def _ladder(limits: Limits) -> Iterator[Arithmetic]:
     """Yield what is tried one after the other, up to the cap on digits."""
     yield from takewhile(limits.allow, _LADDER)
     digits = 2 * _LADDER[-1].digits
@@ -196,7 +211,7 @@ def _ladder(limits: _Limits) -> Iterator[Arithmetic]:
         digits *= 2
 
 
-def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
+def _solve_cheaply(scene: Scene, digits: int, limits: Limits) -> Trajectory:
     """Return a trajectory in float64, if its error bounds leave enough digits, else a proved one."""
     tried = ""
     if digits <= _WORTH_A_TRY:
@@ -208,14 +223,15 @@ def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
         except (EventUndecided, OutOfRange) as error:
             tried = f"float64 cannot: {error}"
         tried += "; "
-    return _solve_to_digits(scene, digits, limits).but(tried=f"{tried}{digits} are asked for")
+    return solve_to_digits(scene, digits, limits).but(tried=f"{tried}{digits} are asked for")
 
 
-def _solve_to_digits(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
+def solve_to_digits(scene: Any, digits: int, limits: Limits) -> Any:
     """Raise the working precision until `digits` digits are right; the digits lost in one try are added in the next."""
 
-    def attempt(arithmetic: Ball) -> tuple[Trajectory, int]:
+    def attempt(arithmetic: Ball) -> tuple[Any, int]:
         found = limits.run(scene, arithmetic)
-        return found, proved_digits(found)
+        return found, proved_digits(found) if found.digits is None else found.digits
 
-    return to_digits(attempt, digits, limits.digits).but(digits=digits)
+    how = _OF_A_SURFACE if isinstance(scene, PlaneScene) else ()
+    return to_digits(attempt, digits, limits.digits, *how).but(digits=digits)

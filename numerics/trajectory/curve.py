@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from numerics.trajectory.columns import Array, Counts, Floats
-from numerics.trajectory.events import energy_in_floats, wall_in_floats
+from numerics.trajectory.events import wall_of
 from numerics.trajectory.rows import Rows
 
 RESOLVED = 100
@@ -67,9 +67,10 @@ def sampled(trajectory: Rows) -> Curve:
     y, (u, load, kinetic, edge) = number(trajectory.row_states)[:, at] + found[:4], found[4:]
     segment = np.searchsorted(trajectory.event_rows, at, side="right")
     t = number(trajectory.row_times)[at] + since
-    energy = energy_in_floats(trajectory, at, t, y)
+    wall = number(wall_of(trajectory, at, trajectory.row_times[at] + since)[0]) if scene.wall.pieces else 0.0 * t
+    energy = np.asarray(scene.pair.energy((y[0] - wall, *y[1:]), float))
     b, friction = np.where(stick, edge, np.abs(kinetic)), np.where(stick, load, kinetic)
-    apart, wall = np.where(stick, 0.0, found[0] - found[2]), wall_in_floats(trajectory, at, t)
+    apart = np.where(stick, 0.0, found[0] - found[2])
     push = u - a2 * (y[0] - wall) - friction  # what is left of it the damper takes
     speed = np.diff(wall) / np.maximum(np.diff(since), _TINY)
     viscous = _work(push, y[0] - wall) - m1 * (_work(y[1], y[1]) - speed * np.diff(y[1]))

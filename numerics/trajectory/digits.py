@@ -29,7 +29,7 @@ from numerics.linear.record import AT
 from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
-from numerics.trajectory.events import energy_of, wall_in_floats
+from numerics.trajectory.events import energy_of, wall_of
 
 FEW_DIGITS = 3
 """So few right digits are said in the message of a run."""
@@ -155,7 +155,7 @@ def _judged_floats(trajectory: Any) -> Judged:
     energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
     if scene.wall.pieces:  # the spring is longer or shorter than x1
         end = record.end[_STATE]
-        wall = wall_in_floats(trajectory, np.array([-1]), np.array([trajectory.end_time]))[0]
+        wall = wall_of(trajectory, np.array([-1]), np.array([trajectory.end_time]))[0, 0]
         x1, stretched = abs(float(end[0])), abs(float(end[0] - wall))
         energy += (
             weights[0] * max(0.0, stretched - x1) * (record.end[_STATE_ERRORS][0] + 8 * ROUNDING * (x1 + stretched))

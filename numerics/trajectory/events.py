@@ -7,11 +7,9 @@ residual.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,8 +23,9 @@ from numerics.linear.model import WALL
 from numerics.linear.modes import EventKind, Mode
 from numerics.linear.record import NUMBERS, ROW, How, Record
 from numerics.linear.system import value
+from numerics.scene import Signal
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.columns import STATE, Array, Counts, Floats
+from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.flow import Moving
 from numerics.trajectory.rows import Rows
 
@@ -174,60 +173,40 @@ def _enclosed(run: Rows, row: int) -> Sequence[arb]:
 
 
 def energy_of(run: Rows, t: Array, y: Array, rows: Counts | None = None) -> Array:
-    """Return the energy of states at times, J: of the spring by its length; in the arithmetic's context.
+    """Return the energy of states at times, J, in rows if they are known: of the spring by its length.
 
-    `rows` say in which segments they are, where that is known; else what acts from a time on counts.
+    In the arithmetic's context.
     """
-    if run.bounded:
-        return energy_in_floats(run, run.row_at(t) if rows is None else rows, t, y)
     x1, *others = y
     if run.scene.wall.pieces:
-        wall = (
-            run.row_values(partial(_wall, run), t, "right")
-            if rows is None
-            else _wall(run, rows, t - run.row_times[rows])
-        )
-        x1 = x1 - wall[0]
-    return np.asarray(run.scene.pair.energy((x1, *others), run.arithmetic.number))
+        if rows is None and not run.bounded:
+            found = run.row_values(lambda at, since: wall_of(run, at, run.row_times[at] + since), t, "right")
+        else:
+            found = wall_of(run, run.row_at(t) if rows is None else rows, t)
+        x1 = x1 - found[0]
+    return np.asarray(run.scene.pair.energy((x1, *others), float if run.bounded else run.arithmetic.number))
 
 
-def energy_in_floats(run: Rows, rows: Counts, t: Floats, y: Floats) -> Floats:
-    """Return the same in binary64."""
-    x1, *others = y
-    return np.asarray(run.scene.pair.energy((x1 - wall_in_floats(run, rows, t), *others), float))
-
-
-def wall_in_floats(run: Rows, rows: Counts, t: Floats) -> Floats:
-    """Return the displacement of the wall at times in the segments of rows, m: where it jumps, as these say."""
-    wall, starts, found = run.scene.wall, [*(one.start for one in run.pieces), math.inf], 0.0 * t
-    for n, k in enumerate(run.row_pieces[rows] if wall.pieces else ()):
-        time = max(Fraction(t[n]), starts[k])
-        found[n] = float(wall(time) if time < starts[k + 1] else wall(starts[k + 1], -1))
-    return found
-
-
-def _wall(run: Rows, rows: Counts, since: Array) -> Array:
-    """Return the displacement of the wall at times (s) after the starts of rows, m, in balls, shape (1, n)."""
+def wall_of(run: Rows, rows: Counts, t: Array) -> Array:
+    """Return the displacement of the wall at times, m, each by the piece of its row, shape (1, n)."""
     found = []
-    for row, tau in zip(rows.tolist(), since, strict=True):
-        mode = run.row_mode(row)
-        z = mode.begin(run.row_states[:, row].tolist(), run.row_times[row] + tau)
-        found.append(value(mode.signal(WALL), arb_mat(mode.size, 1, z)))
-    return np.array([found], dtype=object)
+    for row, time in zip(rows.tolist(), t, strict=True):
+        if run.bounded:
+            piece = run.pieces[run.row_pieces[row]]
+            at = max(Fraction(time), piece.start)  # a start is rounded
+            found.append(float(Signal((piece.signals[WALL],))(at)))
+        else:
+            mode = run.row_mode(row)
+            z = mode.begin(run.row_states[:, row].tolist(), time)
+            found.append(value(mode.signal(WALL), arb_mat(mode.size, 1, z)))
+    return np.array([found])
 
 
 def _by_jumps_of_the_wall(run: Rows) -> Number:
     """Return what jumps of the wall put into the spring, J."""
-    total, half, wall = run.arithmetic.number(0), run.arithmetic.number(run.scene.pair.a2 / 2), run.scene.wall
-    pieces = run.pieces
+    total, half = run.arithmetic.number(0), run.arithmetic.number(run.scene.pair.a2 / 2)
     for k in np.flatnonzero(np.diff(run.row_pieces)) + 1:
-        t = run.row_times[k]
-        if pieces[run.row_pieces[k]].start not in wall.starts:
-            continue
-        if run.bounded:
-            places = wall_in_floats(run, np.array([k - 1, k]), np.array([t, t])).tolist()
-        else:
-            places = _wall(run, np.array([k - 1, k]), t - run.row_times[k - 1 : k + 1])[0].tolist()
-        before, after = (run.row_states[0, k] - one for one in places)
-        total += half * (after - before) * (after + before)
+        if run.pieces[run.row_pieces[k]].start in run.scene.wall.starts:
+            before, after = run.row_states[0, k] - wall_of(run, np.array([k - 1, k]), run.row_times[[k, k]])[0]
+            total += half * (after - before) * (after + before)
     return total

@@ -131,7 +131,7 @@ def _texts(trajectory: Any, truth: Any, index: int) -> dict[str, Any]:
 def as_csv(record: dict[str, Any]) -> str:
     """Return the events and the final state of a record as CSV text: the columns of the JSON records, with units."""
     final = {"from": record["final"]["mode"], "to": "", **record["final"]}
-    rows = [{"from": "", "to": "", **_by_axes(row)} for row in (*record["events"], final)]
+    rows = [{"from": "", "to": "", **by_axes(row)} for row in (*record["events"], final)]
     return table([{key: one for key, one in row.items() if key != "mode"} for row in rows])
 
 
@@ -145,7 +145,7 @@ def table(rows: list[dict[str, str]]) -> str:
     return buffer.getvalue()
 
 
-def _by_axes(row: dict[str, Any]) -> dict[str, str]:
+def by_axes(row: dict[str, Any]) -> dict[str, str]:
     """Return a row with a column for each axis of a list: x1_x, x1_y, x1_x_radius, ..."""
     found: dict[str, str] = {}
     for key, value in row.items():

@@ -42,7 +42,7 @@ Drawn = tuple[Any, Callable[[int], None]]
 """A figure, and what moves its artists to the frame of a number."""
 
 
-def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
+def draw(trajectory: Any, kind: str | None, ax: Any = None, curve: Any = None) -> Any:
     """Draw into matplotlib axes, new ones if none are given, and return them.
 
     Kinds: "velocities" and "positions" of both bodies against time; "load", the friction that sticking needs, and what
@@ -51,9 +51,10 @@ def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None)
     and who took the rest. Raises ValueError for any other kind, MissingTool. `curve` saves sampling the trajectory for
     every picture of it.
     """
-    is_new, ax = ax is None, axes_for(kind, _KINDS, ax)
-    curve = curve or sampled(trajectory)
-    title, label, drawn = _KINDS[kind]
+    kinds = trajectory.pictures.KINDS
+    kind, is_new = kind or next(iter(kinds)), ax is None
+    ax, curve = axes_for(kind, kinds, ax), curve or trajectory.pictures.sampled(trajectory)
+    title, label, drawn = kinds[kind]
     ax.set_title(title, fontsize="medium")
     ax.set_ylabel(label)
     drawn(trajectory, curve, ax)
@@ -188,7 +189,7 @@ def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
             ax.plot(curve.t, part, color=color, lw=1.2, ls=dashes, label=label)
 
 
-_KINDS: dict[str, tuple[str, str, Callable[..., None]]] = {
+KINDS: dict[str, tuple[str, str, Callable[..., None]]] = {
     "velocities": ("Velocities of both bodies", "$v_1$, $v_2$ (m/s)", partial(_bodies, 1)),
     "positions": ("Positions of both bodies", "$x_1$, $x_2$ (m)", partial(_bodies, 0)),
     "load": ("The friction that sticking needs, and can get", "force on body 2 (N)", _load),
@@ -262,44 +263,32 @@ def explain_below(figure: Any) -> None:
     figure.legend(common.values(), common, loc="outside lower center", ncols=across, fontsize="small")
 
 
-def animate(trajectory: Any, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
-    """Return a matplotlib animation of a trajectory; see Trajectory.animate."""
+def filmed(trajectory: Any, times: Any, y: Any) -> Drawn:
+    """Draw body 2 on body 1, to the scale of the motion, above the velocities."""
+    from matplotlib import pyplot as plt
 
-    def drawn(times: Any, y: Any) -> Drawn:
-        """Draw body 2 on body 1, to the scale of the motion, above the velocities."""
-        from matplotlib import pyplot as plt
+    figure, (ax, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
+    draw(trajectory, "velocities", below)
+    below.set_title("")
+    explain_below(figure)
+    moment, size = below.axvline(0.0, color="black", lw=1), max(float(np.abs(y[[0, 2]]).max()), 1e-300)
+    half = np.array([3.0, 1.2]) * size
+    xlim = y[[0, 2]].min() - 4 * size, y[[0, 2]].max() + 4 * size
+    ax.set(xlim=xlim, ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)")
+    bodies = ax.bar((0, 0), (1.0, 0.9), 2 * half, (0.05, 1.15), color=(BLUE, ORANGE), alpha=0.6)
 
-        figure, (ax, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
-        draw(trajectory, "velocities", below)
-        below.set_title("")
-        explain_below(figure)
-        moment, size = below.axvline(0.0, color="black", lw=1), max(float(np.abs(y[[0, 2]]).max()), 1e-300)
-        half = np.array([3.0, 1.2]) * size
-        ax.set(
-            xlim=(y[[0, 2]].min() - 4 * size, y[[0, 2]].max() + 4 * size), ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)"
-        )
-        bodies = ax.bar((0, 0), (1.0, 0.9), 2 * half, (0.05, 1.15), color=(BLUE, ORANGE), alpha=0.6)
+    def show(k: int) -> None:
+        moment.set_xdata([times[k]] * 2)
+        for body, place in zip(bodies, y[[0, 2], k] - half, strict=True):
+            body.set_x(place)
 
-        def show(k: int) -> None:
-            moment.set_xdata([times[k]] * 2)
-            for body, place in zip(bodies, y[[0, 2], k] - half, strict=True):
-                body.set_x(place)
-
-        return figure, show
-
-    return film(trajectory, drawn, file, duration, frames_per_second)
+    return figure, show
 
 
-def film(
-    trajectory: Any,
-    drawn: Callable[[Any, Any], Drawn],
-    file: str | Path | None,
-    duration: float,
-    frames_per_second: int,
-) -> Any:
+def film(trajectory: Any, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
     """Return the animation of a trajectory, and write it to `file`; time and mode stand above the first axes.
 
-    `drawn` takes times (s) and states there, in binary64. Raises MissingTool, OSError, ValueError.
+    Raises MissingTool, OSError, ValueError.
     """
     count = round(positive(duration, "duration") * positive(frames_per_second, "frames_per_second"))
     if not 2 <= count <= _MOST_FRAMES:
@@ -313,7 +302,7 @@ def film(
         raise MissingTool("an .mp4 file needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
     with meter("drawing") as line:
         times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
-        figure, show = drawn(times, trajectory.floats(trajectory.sol(times)))
+        figure, show = trajectory.pictures.filmed(trajectory, times, trajectory.floats(trajectory.sol(times)))
         modes = trajectory.mode_at(times)
 
         def frame(k: int) -> None:

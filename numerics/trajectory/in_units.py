@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from numerics.free.frame import ReducedState
-from numerics.trajectory.rows import Rows, Side
+from numerics.trajectory.answer import Side
+from numerics.trajectory.rows import Rows
 
 if TYPE_CHECKING:
     from numerics.scene.decimals import Quantity, Times

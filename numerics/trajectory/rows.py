@@ -5,11 +5,10 @@ Which row's segment holds a time, and the motion from that row's state (flow.py)
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import reduce
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,25 +17,23 @@ from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
 from numerics.linear.cells import Cells, mode_in
 from numerics.linear.model import CONSTANT, EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
-from numerics.linear.modes import MODES, Mode
+from numerics.linear.modes import Mode
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
 from numerics.linear.record import AT, How, Record
 from numerics.linear.system import LinearMode
 from numerics.scene import Scene
 from numerics.scene.decimals import require_one_of
-from numerics.trajectory.answer import Answer
+from numerics.trajectory.answer import Answer, Side
 from numerics.trajectory.columns import STATE, Array, Counts, Floats, Moment
 from numerics.trajectory.flow import Moving, signals_of, steps_of
-from numerics.trajectory.times import exact_time
 
 if TYPE_CHECKING:
-    from numerics.scene.decimals import Exact, Quantity, Times
+    from numerics.scene.decimals import Quantity, Times
 
-Side = Literal["left", "right"]
 _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
 
 
-class Rows(Answer):
+class Rows(Answer[Mode]):
     """A scene, the arithmetic it was solved in, and the rows of its record, in SI units."""
 
     scene: Scene
@@ -60,7 +57,7 @@ class Rows(Answer):
         return np.concatenate([rows, end[None, : rows.shape[1]]]) if isinstance(rows, np.ndarray) else None
 
     @property
-    def reached(self) -> bool:
+    def reached(self) -> bool:  # type: ignore[override]
         """Return whether the run got to its horizon."""
         return self.record.how != How.EVENT_LIMIT
 
@@ -108,14 +105,14 @@ class Rows(Answer):
         return self._states[:, :-1]
 
     @property
-    def final_state(self) -> Moment:
+    def final_state(self) -> Moment:  # type: ignore[override]
         """Return (x1, v1, x2, v2) at the end, as `run.final.x1`; `final_mode` is its mode."""
         return Moment(*self._states[:, -1].tolist())
 
     final = final_state
 
     @property
-    def initial(self) -> Moment:
+    def initial(self) -> Moment:  # type: ignore[override]
         """Return (x1, v1, x2, v2) at the start."""
         return Moment(*self._states[:, 0].tolist())
 
@@ -137,17 +134,17 @@ class Rows(Answer):
         return np.flatnonzero(self.row_column("event")[:-1])
 
     @property
-    def event_times(self) -> Array:
+    def event_times(self) -> Array:  # type: ignore[override]
         """Return the times of all events, s, shape (k,)."""
         return self.row_times[self.event_rows]
 
     @property
-    def event_states(self) -> Array:
+    def event_states(self) -> Array:  # type: ignore[override]
         """Return x1, v1, x2, v2 at all events, shape (4, k)."""
         return self.row_states[:, self.event_rows]
 
     @cached_property
-    def end_time(self) -> Quantity:
+    def end_time(self) -> Quantity:  # type: ignore[override]
         """Return the time at the end, s."""
         with self.context():
             return self.arithmetic.number(self.scene.until) if self.reached else self.row_times[-1]
@@ -177,72 +174,27 @@ class Rows(Answer):
         return self.arithmetic.number(self.scene.pair.critical_energy)
 
     # ------------------------------------------------------------------ times
-    def _times(self, t: Any) -> Array:
-        """Return times (s) as numbers of the arithmetic, in their shape. Raises ValueError outside [0, end]."""
-        try:
-            given = np.asarray(t)
-        except ValueError:
-            raise ValueError("t must be a time in seconds or an array of times; its rows differ in length") from None
-        if given.dtype.kind == "f":  # a grid of floats may end a few roundings behind the end
-            end = self.arithmetic.to_float(self.end_time)
-            t = given = np.where((given > end) & (given <= end + 4 * math.ulp(end)), end, given)
-        if self.bounded and given.dtype.kind in "fiu" and ((given >= 0) & (given <= self.end_time)).all():
-            return given.astype(float)
-        each = np.vectorize(self._time, otypes=[float if self.bounded else object])
-        return np.asarray(each(np.asarray(t, dtype=object)))
-
-    def _time(self, t: Any) -> Number:
-        """Return a time as a number of the arithmetic: exact from rationals and floats, its own numbers as they are."""
-        own, to_float = not self.bounded and isinstance(t, type(self.end_time)), self.arithmetic.to_float
-        end, until = to_float(self.end_time), self.scene.until if self.reached else Fraction(0)
-        exact: Any = to_float(t) if own else exact_time(t)
-        if not 0 <= exact <= max(until, Fraction(end)):
-            shown = self.arithmetic.text(t) if own else str(t)[:40]
-            raise ValueError(
-                f"t = {shown} s is outside the solved time [0, {end:g}] s; give one within it, or solve further"
-            )
-        return t if own else self.arithmetic.number(exact)
-
-    def _middles(self, times: Array) -> Array:
-        """Return times themselves, or midpoints of balls: floats would not tell the ends of a short slip apart."""
-        return np.array([one.mid() for one in times], dtype=object) if self._is_ball else times
+    @cached_property
+    def _begun(self) -> dict[Fraction, Number]:
+        rows = zip(self.row_pieces, self.row_column("local"), self.row_times, strict=False)
+        return {self.pieces[piece].start: t for piece, local, t in rows if local == 0}
 
     @cached_property
     def _row_points(self) -> Array:
         """Return when each row's segment begins, s, as points: those of the events, so that each finds its segments."""
-        return self._middles(self.row_times)
+        return self._points(self.row_times)
 
     def _rows(self, times: Array, side: Side) -> Counts:
         require_one_of("side", side, ("left", "right"))
-        return np.maximum(np.searchsorted(self._row_points, self._middles(times), side=side) - 1, 0)
+        return np.maximum(np.searchsorted(self._row_points, self._points(times), side=side) - 1, 0)
 
     def row_at(self, t: Times, side: Side = "right") -> Counts:
         """Return the rows whose segments hold time(s) t (s), flat; at an event that on the given side."""
         with self.context():
             return self._rows(self._times(t).ravel(), side)
 
-    def sol(self, t: Times, side: Side = "right") -> Array:
-        """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, ...) for an array.
-
-        t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
-        such as the time of an event; `side` says which segment answers at an event, where the state is continuous but
-        the accelerations jump. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
-        outside [0, end].
-        """
-        with self.context():
-            given = self._times(t)
-            return self.row_values(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
-
-    @overload
-    def mode_at(self, t: Exact | Quantity, side: Side = "right") -> Mode: ...
-
-    @overload  # as balls are any type here, where flint is not read
-    def mode_at(self, t: Times, side: Side = "right") -> Array: ...
-
-    def mode_at(self, t: Any, side: Side = "right") -> Any:
-        """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
-        found = [MODES[sign] for sign in self.row_signs[self.row_at(t, side)]]
-        return np.array(found, dtype=object).reshape(np.shape(t))[()]
+    def _states_at(self, times: Array, side: Side) -> Array:
+        return self.row_values(self.row_flow, times, side)
 
     def row_values(self, function: Callable[..., Array], times: Array, side: Side) -> Array:
         """Return a function of rows and of the times since they began at times of the run.
@@ -254,9 +206,9 @@ class Rows(Answer):
             return function(rows, self._since(times, rows))
         for time, row in zip(times, rows.tolist(), strict=True):
             first, after = row, row + 1  # this one holds its middle
-            while first > 0 and not (starts[first] < time or starts[first] == time):  # both exact
+            while first > 0 and not (starts[first] < time or starts[first] is time or starts[first] == time):
                 first -= 1
-            while after < len(starts) and not (time < starts[after] or time == starts[after]):
+            while after < len(starts) and not (time < starts[after] or starts[after] is time or time == starts[after]):
                 after += 1
             held = np.arange(first, after)
             found.append(reduce(_union, function(held, time - starts[held]).T))

@@ -39,10 +39,10 @@ from numerics.linear.pieces import pieces_of
 from numerics.meter import meter
 from numerics.scene.decimals import shown
 from numerics.scene.model import parameters, require_kind
+from numerics.trajectory.answer import Side
 from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.comparison import as_ball
 from numerics.trajectory.rendering import with_radius
-from numerics.trajectory.rows import Side
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
 from numerics.trajectory.times import exact_time

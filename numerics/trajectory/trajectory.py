@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from types import ModuleType
-from typing import TYPE_CHECKING, Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from flint import arb
@@ -13,9 +12,8 @@ from numerics.arithmetic.by_name import arithmetic_named
 from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Number
 from numerics.linear.errors_of import JUDGED
-from numerics.linear.modes import MODES, EventKind, Mode, event_kind
+from numerics.linear.modes import MODES, Mode
 from numerics.linear.record import How, Knot, Record
-from numerics.meter import meter
 from numerics.trajectory.checked import Check
 from numerics.trajectory.columns import Array, Counts
 from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
@@ -27,11 +25,7 @@ from numerics.trajectory.saved import plain
 from numerics.trajectory.status import Status
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from numerics.scene.decimals import Quantity
-
-Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
 
 
 class Trajectory(Rows):
@@ -89,14 +83,9 @@ class Trajectory(Rows):
 
     FORMAT = "inertial-pair trajectory 5"
     ENERGIES = ("energy", "energy_excess")
+    _PICTURES = "numerics.trajectory.figures"
 
     # ------------------------------------------------------------------ how it ended
-    def look_up_times(self) -> None:
-        """Raise ValueError for times in t_eval that are outside the run."""
-        if self.t_eval is not None:
-            with self.context():
-                self._asked_times = self._times(self.t_eval)
-
     @property
     def status(self) -> Status:  # type: ignore[override]
         """Return how the solve ended."""
@@ -158,43 +147,12 @@ class Trajectory(Rows):
         signs: list[int] = self.row_signs[self._starts].tolist()
         return signs
 
-    @property
-    def final_mode(self) -> Mode:
-        """Return the mode at the end: after the last event, where the cap on events ended the run."""
-        return MODES[float(self.row_column("mode")[-1])]
-
     @cached_property
-    def modes(self) -> tuple[Mode, ...]:
-        """Return the itinerary: the mode of every segment."""
-        return self._all_modes[: self.record.events + self.reached]
-
-    @property
-    def _all_modes(self) -> tuple[Mode, ...]:
+    def _all_modes(self) -> tuple[Mode, ...]:  # type: ignore[override]
         return tuple(map(MODES.__getitem__, self.signs))
 
-    @property
-    def event_kinds(self) -> tuple[EventKind, ...]:
-        """Return the kinds of the events in their order."""
-        modes = self._all_modes
-        return tuple(map(event_kind, modes, modes[1:]))
-
-    @property
-    def t_events(self) -> tuple[Array, ...]:
-        """Return the event times by kind, in the order of EventKind (entry, exit, crossing), each of shape (k,)."""
-        return self._by_kind(self.event_times)
-
-    @property
-    def y_events(self) -> tuple[Array, ...]:
-        """Return the event states by kind, each of shape (k, 4)."""
-        return self._by_kind(self.event_states.T)
-
-    def _by_kind(self, events: Array) -> tuple[Array, ...]:
-        sticks = self.row_signs[self._starts] == 0
-        before, after = sticks[:-1], sticks[1:]
-        return events[after], events[before], events[~(before | after)]
-
     @cached_property
-    def events(self) -> tuple[Event, ...]:
+    def events(self) -> tuple[Event, ...]:  # type: ignore[override]
         """Return the events."""
         rows, modes = self.event_rows, self._all_modes
         causes = ["jump" if jump else "guard" for jump in self.row_column("jump")[rows]]
@@ -215,42 +173,12 @@ class Trajectory(Rows):
 
     # ------------------------------------------------------------------ at t
     @property
-    def t(self) -> Array:
-        """Return the times of start, events and end, or t_eval, s, shape (m,)."""
-        return self._own_moments[0] if self.t_eval is None else self._asked_times
-
-    @property
-    def y(self) -> Array:
-        """Return the states at `t`, shape (4, m)."""
-        return self._own_moments[1] if self.t_eval is None else self._asked_states
-
-    @property
     def _own_rows(self) -> Counts:
         """The rows of start and events, and -1 for the end: its segment, or what is known there."""
         return np.append(self._starts, -1) if self.reached else self._starts
 
-    @cached_property
-    def _own_moments(self) -> tuple[Array, Array]:
-        """The times of start, events and end, and the states there."""
-        times, states = self.row_times[self._starts], self._states[:, self._own_rows]
-        return (np.append(times, self.end_time) if self.reached else times), states
-
-    @cached_property
-    def _asked_states(self) -> Array:
-        return self.sol(self.t_eval)
-
-    @cached_property
-    def energy(self) -> Array:
-        """Return the energy at `t`, J, shape (m,), formed from the states."""
-        with self.context():
-            return energy_of(self, self.t, self.y, self._own_rows if self.t_eval is None else None)
-
-    @property
-    def final_energy(self) -> Quantity:
-        """Return the energy at the end, J, formed from the state."""
-        with self.context():
-            found: Number = energy_of(self, np.array([self.end_time]), self._states[:, -1:], np.array([-1])).item()
-            return found
+    def _energies(self, t: Array, y: Array, rows: Counts | None) -> Array:
+        return energy_of(self, t, y, rows)
 
     @cached_property
     def energy_excess(self) -> Array:
@@ -262,12 +190,12 @@ class Trajectory(Rows):
             if self.row_excess is None:
                 return np.asarray(formed)
             if self.t_eval is not None:
-                return np.array([self.row_excess_at(one, "right") for one in self._asked_times], dtype=object)
+                return np.array([self.row_excess_at(one, "right") for one in self.t], dtype=object)
             return self.row_excess[self._own_rows]
 
     def end_numbers(self) -> tuple[Number, ...]:
         """Return x1, v1, x2, v2, energy and, where there is E_cr, excess at the end."""
-        found = *self.final_state, self.final_energy
+        found = super().end_numbers()
         if not self.has_critical_energy:
             return found
         with self.context():
@@ -303,36 +231,12 @@ class Trajectory(Rows):
         with self.context():
             return ledger_of(self)
 
-    # ------------------------------------------------------------------ pictures, text and files
-    def _pictures(self) -> ModuleType:
-        from numerics.trajectory import figures
-
-        return figures
-
-    @meter("drawing")
-    def plot(self, kind: Kind = "velocities", ax: Axes | None = None) -> Axes:
-        """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are shaded."""
-        return self._pictures().draw(self, kind, ax)
-
+    # ------------------------------------------------------------------ text and files
     def check(self) -> Check:
         """Return what every number of the run is really off by: `numerics.check` solves its scene again, in balls."""
         import numerics
 
         return numerics.check(self)
-
-    def _shown(self) -> dict[str, Any]:
-        """Return what a summary says, by its names."""
-        right = self.digits or (self.right_digits if self.bounded else None)
-        digits = f"{self.arithmetic.digits} working digits" if right is None else f"{right} right digits"
-        return {
-            "message": self.message,
-            "success": self.success,
-            "status": int(self.status),
-            "arithmetic": f"{self.arithmetic.name}, {digits}",
-            "events": self.record.events,
-            "t": f"[0, {self.arithmetic.text(self.end_time)}] s",
-            "final mode": self.final_mode.value,
-        }
 
     def kept(self) -> dict[str, Any]:
         """Return what the run wrote, as what JSON holds."""

@@ -52,6 +52,7 @@ def test_who_waits_sees_what_is_being_done(run, monkeypatch, on_terminal):
 
 PRINTED = """
 response forced-sine-stick-slip | stick-slip: the bodies slip and stick in every period
+response forced-sine-stick-slip | mean velocity of body 2 = 0 m/s, within 0
 track at-rest --reference s-curve | within b = 0.5 N
 track at-rest --reference too-fast | TOO MUCH by 0.0773502691896258 N (+/-
 move at-rest --distance 0.001 --amplitude 1.08 | slips of about 10^-20 m

@@ -10,6 +10,8 @@ import pytest
 from numerics import (
     Force,
     Pair,
+    PlanePair,
+    PlaneScene,
     Scene,
     State,
     bifurcation,
@@ -20,18 +22,10 @@ from numerics import (
 )
 from numerics.meter import meter
 from numerics.scene.file import parse_scene
+from numerics.trajectory.units import unit
 
 PAPER = load_scene("velocities")
 RUN = solve(PAPER)
-
-
-def test_a_run_answers_by_name_and_as_a_table():
-    assert (RUN["t"] == RUN.t).all()
-    assert (RUN["v1"] == RUN.y[1]).all()
-    table = RUN.to_dataframe(np.linspace(0, 5, 11))
-    assert (table["x1"].to_numpy() == RUN.sol(np.linspace(0, 5, 11))[0]).all()
-    for one in (PAPER, RUN, solve_many(1, 1, 200, 1, v1=[1, 2], until=1), PAPER.pair):
-        assert one._repr_html_().startswith("<table><caption>")
 
 
 def test_a_scene_with_another_belt_has_its_velocity():
@@ -62,29 +56,36 @@ def test_b_beside_sines_is_their_middle():
     assert parse_scene(head + "b=3\n") == parse_scene(head + "polynomial=[3]\n")
 
 
-def test_tables_of_runs_sweeps_and_diagrams_are_alike():
-    """Results have the names and units of a run's table, a state beside inputs is x1_at_t; inputs have theirs."""
-    scenes = [load_scene("belt").replace(force=Force.sine(one, 9)) for one in (1, 2)]
-    diagram, batch, run = bifurcation(scenes, keep=2), solve_scenes(scenes), solve(scenes[0])
-    assert {*diagram.inputs} == {*batch.inputs} - {"m2", "v2"}
-    amplitude, known = "force[0].sines[0].amplitude", {"x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s"}
-    assert run.to_dataframe().attrs["units"].items() >= (known | {"t": "s"}).items()
-    beside = {f"{name}_at_t": unit for name, unit in known.items()} | {"t": "s", amplitude: "N"}
-    for found, rows in ((diagram, 4), (batch, 2)):
-        table = found.to_dataframe()
-        assert (len(table), table.attrs["units"].items() >= beside.items()) == (rows, True)
-    assert diagram.to_dataframe()["x1_at_t"].to_numpy() == pytest.approx(diagram.values("x1").ravel())
-    grid = diagram.to_xarray()
-    assert grid["v1_at_t"].dims == (amplitude, "point")
-    assert (grid["v1_at_t"].attrs["units"], grid["t"].attrs["units"]) == ("m/s", "s")
-    assert batch.plot("events").get_xlabel() == f"{amplitude} (N)"
+SPEEDS, AMPLITUDE = np.linspace(0.01, 0.3, 12), "force[0].sines[0].amplitude"
+SHAKEN = [load_scene("belt").replace(force=Force.sine(one, 9)) for one in (1, 2)]
+STARTS = [PlaneScene(PlanePair(1, 1, [200, 120], ["0.5", "0.4"], 1), "0.1", x1=[x, 0]) for x in ("0.012", "0.002")]
+BATCHES = {
+    "some are cut off": (lambda: solve_many(1, 1, 200, 0.05, v1=SPEEDS, until=5, max_events=20), "dissipated", "v1"),
+    "a grid": (lambda: solve_many(1, 1, 200, [[0.05], [0.1]], v1=SPEEDS, until=1), "events", "b"),
+    "a force": (lambda: solve_many(1, 1, 200, 1, sines=[([0.1, 1], 5, 0)], until=2), "v1", "sines[0].amplitude"),
+    "scenes": (lambda: solve_scenes(SHAKEN), "events", AMPLITUDE),
+    "points": (lambda: bifurcation(SHAKEN, keep=2), "v1 - v2", AMPLITUDE),
+    "a surface": (lambda: solve_scenes(STARTS, jobs=1), "energy", "x1 x"),
+}
 
 
-def test_a_sweep_of_arrays_has_names_and_tables():
-    found, amplitude = solve_many(1, 1, 200, 0.05, sines=[([0.1, 0.5, 1], 5, 0)], until=2), "sines[0].amplitude"
-    assert found.inputs[amplitude].tolist() == found.to_dataframe()[amplitude].tolist() == [0.1, 0.5, 1]
-    assert found.plot().get_xlabel() == f"{amplitude} (N)"
-    assert found.to_xarray()["dissipated"].dims == (amplitude,)
+@pytest.mark.parametrize("name", BATCHES)
+def test_batches_are_drawn_over_what_varies_and_become_tables_with_units(name):
+    """Results have the names and units of a run's table, a state beside inputs is x1_at_t."""
+    make, answer, along = BATCHES[name]
+    found, known = make(), {"b": "N", "v1": "m/s", "x1 x": "m"}
+    table, grid, ax = found.to_dataframe(), found.to_xarray(), found.plot(answer)
+    units = {"t": "s", answer: unit(answer), along: known.get(along, "N")}
+    assert ax.get_xlabel() == f"{along} ({units[along]})"
+    assert ax.get_ylabel().startswith("v1 (m/s)" if name == "a grid" else answer)
+    assert (ax.get_legend() is None) == bool(found.success.all())
+    if answer == "v1":
+        units["v1_at_t"], answer = "m/s", "v1_at_t"
+    assert {**units, **table.attrs["units"]} == table.attrs["units"]
+    values = found.values(answer.removesuffix("_at_t"))
+    assert table[answer].to_numpy() == pytest.approx(values.ravel(), nan_ok=True)
+    assert grid[answer].dims[0] == along
+    assert (grid[answer].to_numpy().shape, grid[along].attrs["units"]) == (values.shape, units[along])
 
 
 def test_stroboscopic_points_of_a_periodic_motion_are_one_and_a_time_is_a_multiple():
@@ -93,7 +94,6 @@ def test_stroboscopic_points_of_a_periodic_motion_are_one_and_a_time_is_a_multip
     period = 2 * np.pi / float(base.force.pieces[0].sines[0].omega)
     assert np.ptp(found.values("v1 - v2"), axis=1).max() < 1e-9
     assert found.t / period == pytest.approx(np.round(found.t / period))
-    assert found.plot("v1 - v2").get_ylabel() == "v1 - v2, once a period (m/s)"
 
 
 def test_an_end_after_a_whole_number_of_periods_is_a_point_of_a_diagram():

@@ -4,7 +4,6 @@ import doctest
 import inspect
 import pickle
 import re
-import sys
 import typing
 from decimal import Decimal
 from fractions import Fraction
@@ -12,8 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
-from three_scenes import HOW, PAPER
+from three_scenes import PAPER
 
 import numerics
 from numerics import (
@@ -24,11 +22,9 @@ from numerics import (
     load_scene,
     response,
     scene_text,
-    sensitivities,
     solve,
     solve_many,
 )
-from numerics.errors import MissingTool
 from numerics.scene.file import parse_scene
 
 # one place
@@ -57,8 +53,8 @@ def public(kind):
 
 
 CLASSES = [one for name in dir(numerics) if inspect.isclass(one := getattr(numerics, name))]
-INNER = """ENERGIES EVENT_COLUMNS FORMAT but columns context end_bounds end_numbers energy_of event_rows
-floats frame kept look_up_times made of pieces require_filippov restored row signs"""
+INNER = """ENERGIES EVENT_COLUMNS FORMAT but columns context end_bounds end_numbers event_rows
+floats frame kept made of pictures pieces require_filippov restored row signs"""
 FOR_THE_HOUSE = {*INNER.split(), *(name for name in public(numerics.Trajectory) if name.startswith("row_"))}
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "guide.md").read_text("utf-8")
 
@@ -99,17 +95,6 @@ def test_every_function_says_what_it_raises_and_has_an_example(name):
 # texts
 
 
-@pytest.mark.parametrize("how", HOW)
-def test_a_trajectory_shows_itself_in_a_few_short_lines_and_calls_right_only_digits_that_something_bounds(how):
-    run = solve(PAPER, **how)
-    lines = repr(run).splitlines()
-    names = [line.split(":")[0].strip() for line in lines]
-    assert names == ["message", "success", "status", "arithmetic", "events", "t", "final mode"]
-    assert all(len(line) < 120 for line in lines)
-    assert f"events: {len(run.events)}" in repr(run)
-    assert ("right digits" in repr(run)) is (how.get("arithmetic") != "mpmath")
-
-
 def test_every_record_is_shown_in_one_short_line():
     forced, run = load_scene("forced-sine-stick-slip"), solve(PAPER)
     found = response(forced, digits=8)
@@ -123,48 +108,6 @@ def test_every_record_is_shown_in_one_short_line():
 
 
 # pictures, times, tables
-
-
-@pytest.mark.slow
-def test_batches_are_drawn_and_a_run_becomes_a_film(tmp_path):
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    speeds = np.linspace(0.01, 0.3, 12)
-    line = solve_many(1, 1, 200, 0.05, v1=speeds, until=5, max_events=20, jobs=1).plot()
-    assert (line.get_ylabel(), line.get_legend() is None) == ("dissipated (J)", False)  # some were cut off
-    chart = solve_many(1, 1, 200, [[0.05], [0.1]], v1=speeds, until=1, jobs=1).plot("events")
-    assert (chart.get_xlabel(), chart.get_ylabel()) == ("b (N)", "v1 (m/s)")
-    solve(PAPER).animate(tmp_path / "run.gif", duration=0.3, frames_per_second=10)
-    with Image.open(tmp_path / "run.gif") as film:
-        assert film.n_frames == 3
-    pyplot.close("all")
-
-
-@pytest.mark.parametrize("how", HOW[:4])
-def test_times_asked_for_may_be_any_numbers_in_arrays_of_any_shape(how):
-    asked, times = [0, "1/3", 0.5, 2], np.linspace(0, 3, 40)[:6].reshape(2, 3)
-    run = solve(PAPER, **how, t_eval=asked)
-    assert run.t.shape == run.energy.shape == (4,)
-    assert run.floats(run.t) == pytest.approx([0, 1 / 3, 0.5, 2])
-    assert [*map(str, run.y.flat)] == [*map(str, run.sol(asked).flat)]
-    assert run.sol(times).shape == (4, 2, 3)
-    assert [*map(str, run.sol(times)[:, 1, 2])] == [*map(str, run.sol(times[1, 2]))]
-    assert sensitivities(run.but(t_eval=None), times).shape == (4, 9, 2, 3)
-    assert run.mode_at([]).shape == (0,)
-    assert [*run.mode_at(run.event_times, "left")] == [event.before for event in run.events]
-    assert [*run.mode_at(run.event_times)] == [*map(run.mode_at, run.event_times)] == [*run.modes[1:]]
-
-
-@pytest.mark.parametrize("how", HOW)
-def test_a_data_frame_has_start_events_and_end(how, monkeypatch):
-    pytest.importorskip("pandas")
-    run = solve(PAPER, **how)
-    frame = run.to_dataframe()
-    assert list(frame.columns) == ["t", "mode", "x1", "v1", "x2", "v2", "energy", "energy_excess"]
-    assert len(frame) == len(run.t)
-    assert list(frame["mode"]) == [mode.value for mode in (*run.modes[: len(frame) - 1], run.final_mode)]
-    monkeypatch.setitem(sys.modules, "pandas", None)
-    with pytest.raises(MissingTool, match="pandas"):
-        run.to_dataframe()
 
 
 # numbers of any kind

@@ -1,9 +1,7 @@
 """The peers: each installed one gets scenes of every kind right, and never runs for ever."""
 
 from functools import cache
-from types import SimpleNamespace
 
-import numpy as np
 import pytest
 from sixty_digits import forced_scene
 
@@ -61,18 +59,10 @@ def test_a_fine_setting_has_the_events_and_the_digits(name, scene):
     assert found.digits >= digits
 
 
-@pytest.mark.parametrize(
-    ("law", "x1", "v"),
-    [
-        (Law.FILIPPOV, "0.0039", (-0.28, -0.25)),
-        (Law.FILIPPOV, "-0.0039", (0.28, 0.25)),
-        (Law.FILIPPOV, "0.0036", (-0.24, -0.24)),
-        (Law.THREE_VALUED_SGN, "0.0039", (-0.26, -0.26)),
-    ],
-)
-def test_forward_euler_slips_from_rest_beyond_the_edge_unless_sgn_0_is_0(law, x1, v):
+@pytest.mark.parametrize(("law", "v"), [(Law.FILIPPOV, (-0.28, -0.25)), (Law.THREE_VALUED_SGN, (-0.26, -0.26))])
+def test_forward_euler_slips_from_rest_beyond_the_edge_unless_sgn_0_is_0(law, v):
     """The edge is L = 0.00375 m."""
-    assert forward_euler(Scene(FREE, State(x1), 2, law), 1).y[[1, 3], 1] == pytest.approx(v)
+    assert forward_euler(Scene(FREE, State("0.0039"), 2, law), 1).y[[1, 3], 1] == pytest.approx(v)
 
 
 TOUCH, NEAR = (load_scene(FOLDER / f"{name}.toml") for name in ("forced-touch", "near-critical-1e-12"))
@@ -87,7 +77,3 @@ def test_what_does_not_get_on_is_stopped(monkeypatch):
     monkeypatch.setattr(peers, "MAX_ARCS", 5)
     with pytest.raises(PeerFailed, match="in 6 arcs"):
         peers.run(SwitchedPair(PAPER), lambda own, slip, y, left: (True, 0.0, [1.0, 1.0, 0.0, 0.1, 0.0, 0.0, 0.5]))
-    failed = SimpleNamespace(t=np.zeros(1), y=np.zeros((7, 1)), status=-1, message="no step")
-    monkeypatch.setattr("scipy.integrate.solve_ivp", lambda *given, **named: failed)
-    with pytest.raises(PeerFailed, match="no step"):
-        contender("SciPy DOP853").prepare(PAPER, 1e-6)()

@@ -9,7 +9,7 @@ from control_scenes import DAMPED, FREE, answer, referred, under
 from flint import acb, arb
 from hypothesis import example, given
 from hypothesis import strategies as st
-from strategies import decimals, fewer, sine_scenes
+from strategies import decimals, fewer, signed, sine_scenes
 
 from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, response, solve
 from numerics.arithmetic.ball import Ball
@@ -39,19 +39,14 @@ def test_a_periodic_motion_comes_back_by_the_reference(case):
 
 
 @given(
-    decimals(-2, 1),
-    decimals(-2, 1),
-    decimals(-1, 2),
-    decimals(-6, -2),
-    st.sampled_from([0, "1e-5", "-0.5"]),
-    st.sampled_from([1, -1]),
+    decimals(-2, 1), decimals(-2, 1), decimals(-1, 2), signed(decimals(-6, -2)), st.sampled_from([0, "1e-5", "-0.5"])
 )
 @fewer(5)
-@example(Fraction(1), Fraction(1), Fraction(10), Fraction(1, 20_000_000), 0, -1)
-def test_a_weak_force_at_resonance_keeps_the_pair_next_to_its_critical_orbit(m1, m2, omega, share, apart, sign):
-    """|U| = share b; the sine is at the resonance of the stuck pair, or so far from it that friction holds no more."""
-    off = 1 + Fraction(apart) * share * m2 / (2 * (m1 + m2))
-    found = response(under(Pair(m1, m2, (m1 + m2) * (omega / off) ** 2, 1), sign * share, omega), digits=12)
+@example(Fraction(1), Fraction(1), Fraction(10), Fraction(-1, 20_000_000), 0)
+def test_a_weak_force_at_resonance_keeps_the_pair_next_to_its_critical_orbit(m1, m2, omega, share, apart):
+    """U = share b; the sine is at the resonance of the stuck pair, or so far from it that friction holds no more."""
+    off = 1 + Fraction(apart) * abs(share) * m2 / (2 * (m1 + m2))
+    found = response(under(Pair(m1, m2, (m1 + m2) * (omega / off) ** 2, 1), share, omega), digits=12)
     assert found.regime is Regime.STICK_SLIP
     comes_back(found, 11)
 
@@ -90,7 +85,7 @@ def test_regime_and_attraction_on_both_sides_of_a_threshold(pair, amplitude, ome
 
 def test_two_sines_at_resonance_grow_by_their_sum():
     force = Force.sine("0.8", 10) + Force.sine("0.8", 10, 1)
-    growth = response(Scene(Pair(1, 1, 100, "0.5"), State(), 1, force=force), digits=8).growth
+    growth = response(Scene(Pair(1, 1, 100, "0.5"), State(), 1, force=force)).growth
     assert abs(growth - (arb("1.6") * arb("0.5").cos() - 2 / arb.pi()) / 2) < 1e-8
 
 

@@ -45,6 +45,15 @@ def test_a_wall_that_jumps_gives_its_work_at_once(start):
         run = solve(scene, arithmetic=arithmetic)
         assert run.floats([run.ledger.wall, run.energy[1]]) == pytest.approx(100 * 0.02**2, rel=1e-9)
         assert abs(run.floats(run.ledger.residual)) < 1e-14
+        assert solve(scene.replace(until=start), arithmetic=arithmetic).final_energy == 0  # at its end it is not there
+
+
+@pytest.mark.parametrize("arithmetic", ["float64", "ball"])
+def test_at_a_jump_of_the_belt_a_side_answers(arithmetic):
+    belt = Force.constant("0.3") + Force.step("2.3", "-0.6")
+    run = solve(Scene(Pair(2, "inf", 80, 3), State(), "2.4", belt=belt), arithmetic=arithmetic)
+    for t in (run.events[-1].t, "2.3"):
+        assert [float(run.floats(run.sol(t, side)[3])) for side in ("left", "right")] == [0.3, -0.3]
 
 
 def test_a_pair_without_a_spring_has_no_excess_and_says_so():

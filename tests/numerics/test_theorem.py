@@ -19,7 +19,6 @@ PAIR, MOVING = Pair(1, 1, 200, "0.5"), State(v1="0.15")
         Scene(Pair(1, 1, 200, 10**20), State(v1=3 * 10**19), 1),
         *(Scene(Pair(1, 1, 200, "0.05", a1), MOVING, 1, force=Force.sine("0.3", 5, "0.2")) for a1 in (1, 40)),
         Scene(Pair(1, 1, 200, "0.05", 1), State(), 1, force=Force.sine("0.3", 5)),
-        Scene(PAIR, State(), 1, force=Force.step("0.2", "0.1") + Force.step("1/3", 2)),  # whose float lies before it
         *map(load_scene, ("forced-resonance", "forced-sine-stick-slip")),
     ],
 )

@@ -71,6 +71,14 @@ def test_a_contender_that_fails_leaves_a_note(stage):
     assert (call, verdict) == (None, (0, None, "no step is small enough"))
 
 
+def test_a_call_is_timed_in_turns_with_ours_for_as_long_as_is_granted(monkeypatch):
+    spent = [0.0]
+    monkeypatch.setattr(measure.time, "process_time", lambda: sum(spent))
+    ours, theirs = (lambda seconds=seconds: spent.append(seconds) for seconds in (2**-10, 3 / 2**10))
+    assert measure.timed(ours, theirs) == (0.00293, 3)
+    assert sum(spent) >= measure.BUDGET
+
+
 # what is recorded
 
 

@@ -19,38 +19,9 @@ from numerics import (
     solve,
 )
 from numerics.arithmetic.ball import Ball
-from numerics.linear.modes import EventKind
 from numerics.trajectory.run import run_scene
-from numerics.trajectory.status import Status
 
 ARITHMETICS = ["float64", "mpmath", "ball"]
-
-
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
-def test_shapes_and_names_are_those_of_scipy_and_the_columns_of_y_are_sol_at_t(arithmetic):
-    run = solve(PAPER, arithmetic=arithmetic)
-    m = len(run.events) + 2
-    assert run.t.shape == (m,) == run.energy.shape
-    assert run.y.shape == (4, m)
-    assert run.sol([]).shape == (4, 0)
-    assert (run.success, run.status, run.message) == (True, Status.REACHED_HORIZON, "reached the horizon")
-    assert len(run.segments) == len(run.modes) == len(run.event_kinds) + 1
-    assert run.y.dtype == (float if arithmetic == "float64" else object)
-    for kind, times, states in zip(EventKind, run.t_events, run.y_events, strict=True):
-        assert (len(times), 4) == (run.event_kinds.count(kind), 4) == states.shape
-    with run.arithmetic.context():
-        for one, two in zip(run.sol(run.t).ravel(), run.y.ravel(), strict=True):
-            assert abs(run.arithmetic.to_float(one) - run.arithmetic.to_float(two)) < 1e-14
-            assert arithmetic != "ball" or one.overlaps(two)
-
-
-def test_the_cap_on_events_ends_the_evaluation():
-    run = solve(PAPER, max_events=3)
-    assert (run.success, run.status, len(run.events)) == (False, Status.EVENT_LIMIT, 3)
-    assert (run.final_mode, run.t[-1]) == (run.events[-1].after, run.events[-1].t)
-    assert run.sol(run.t[-1]).shape == (4,)
-    count = len(solve(PAPER).events)  # a cap that is not reached changes nothing
-    assert [solve(PAPER, max_events=count - k).status for k in (0, 1)] == [Status.REACHED_HORIZON, Status.EVENT_LIMIT]
 
 
 @pytest.mark.parametrize("name", ["forced-friction-by-pieces", "velocities"])

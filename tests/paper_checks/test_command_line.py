@@ -66,7 +66,7 @@ def test_list_prints_every_claim_in_a_pipe_on_a_line_of_its_own(capsys):
     assert printed == {claim.id: claim.recorded.value for claim in CLAIMS}
 
 
-def test_the_report_tells_some_rows_or_the_whole_and_complains(small, capsys, tmp_path):
+def test_the_report_tells_some_rows_or_the_whole_and_complains(small, capsys, tmp_path, monkeypatch):
     assert main(["report", "--out", str(tmp_path / "all"), "--format", "html,latex"]) == 1
     captured = capsys.readouterr()
     assert captured.out.strip().startswith(str(tmp_path))
@@ -79,6 +79,8 @@ def test_the_report_tells_some_rows_or_the_whole_and_complains(small, capsys, tm
     assert 'id="stiction-bracket"' in page
     assert 'id="energy-rate"' not in page
     assert "Speed and accuracy" not in page
+    monkeypatch.setattr(pictures_module, "FIGURES", {})
+    assert main(["report", "energy-rate", "--out", str(tmp_path)]) == 3
 
 
 def test_a_file_is_compared_with_the_source(capsys, tmp_path):

@@ -39,12 +39,11 @@ Proof. induction l as [|(p, q) l IH]; simpl; [ring|rewrite IH; ring]. Qed.
 Lemma ac_plus f g : ac f -> ac g -> ac (fun t => f t + g t).
 Proof.
   intros F G T HT e He. destruct (F T HT (e / 2)) as (d1 & H1 & K1); [lra|].
-    destruct (G T HT (e / 2)) as (d2 & H2 & K2); [lra|].
-  smaller d1 d2. intros l C L. specialize (K1 l C ltac:(lra)). specialize (K2 l C ltac:(lra)).
-  cut (moves (fun t => f t + g t) l <= moves f l + moves g l); [lra|]. clear. induction l as [|(p, q) l IH]; simpl;
-    [lra|].
+  destruct (G T HT (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros l C L. specialize (K1 l C ltac:(lra)).
+  specialize (K2 l C ltac:(lra)). cut (moves (fun t => f t + g t) l <= moves f l + moves g l); [lra|]. clear.
+  induction l as [|(p, q) l IH]; simpl; [lra|].
   replace (f q + g q - (f p + g p)) with ((f q - f p) + (g q - g p)) by ring.
-    pose proof (Rabs_triang (f q - f p) (g q - g p)). lra.
+  pose proof (Rabs_triang (f q - f p) (g q - g p)). lra.
 Qed.
 Lemma ac_scal c f : ac f -> ac (fun t => c * f t).
 Proof.
@@ -69,7 +68,7 @@ Proof.
       pose proof (chain_le _ _ _ C). specialize (IH q ltac:(lra) C). specialize (Q p q ltac:(lra) ltac:(lra)). lra. }
     apply (G l 0); auto; lra. }
   assert (0 < e / (K + 1)) by positive. apply Rle_trans with (K * (e / (K + 1))).
-  - apply Rle_trans with (1 := Mv). scale.
+  - nra.
   - replace e with ((K + 1) * (e / (K + 1))) at 2 by (field; lra). nra.
 Qed.
 Lemma ac_linear k : ac (fun t => k * t).
@@ -80,8 +79,7 @@ Qed.
 Lemma cont_ac f : ac f -> cont f.
 Proof.
   intros F t Ht e He. destruct (F (t + 1) ltac:(lra) (e / 2) ltac:(lra)) as (d & Hd & K).
-  exists (Rmin d 1); split; [positive|]. intros s Hs Hd1. pose proof (Rmin_l d 1).
-    pose proof (Rmin_r d 1).
+  exists (Rmin d 1); split; [positive|]. intros s Hs Hd1. pose proof (Rmin_l d 1). pose proof (Rmin_r d 1).
   apply Rabs_def2 in Hd1. destruct (Rle_dec s t).
   - specialize (K [(s, t)]). simpl in K. rewrite Rabs_minus_sym. lra.
   - specialize (K [(t, s)]). simpl in K. lra.
@@ -94,10 +92,10 @@ Lemma clamp_grows a b r t : r <= t -> clamp a b r <= clamp a b t.
 Proof. intros. unfold clamp, Rmax, Rmin. repeat destruct Rle_dec; lra. Qed.
 (** at most by b - a *)
 Lemma clamp_range a b r t : a <= b -> clamp a b t - clamp a b r <= b - a.
-Proof. intros. unfold clamp, Rmax, Rmin. repeat destruct Rle_dec; lra. Qed.
+Proof. unfold clamp, Rmax, Rmin. repeat destruct Rle_dec; lra. Qed.
 (** inside it is t *)
 Lemma clamp_inside a b t : a < t < b -> clamp a b t = t.
-Proof. intros. unfold clamp, Rmax, Rmin. repeat destruct Rle_dec; lra. Qed.
+Proof. unfold clamp, Rmax, Rmin. repeat destruct Rle_dec; lra. Qed.
 
 Section Grows.
 Context (f f' : R -> R) (N : R -> Prop) (p q : R) (F : ac f) (HN : null N) (Hp : 0 <= p <= q).
@@ -107,17 +105,9 @@ Hypothesis D : forall t, p <= t <= q -> ~ N t -> is_derive f t (f' t) /\ 0 <= f'
 Lemma hardly_falls t e : 0 < e -> is_derive f t (f' t) -> 0 <= f' t ->
   exists d, 0 < d /\ forall r c, t - d < r <= t -> t <= c < t + d -> - e * (c - r) <= f c - f r.
 Proof.
-  intros He Df Pf. apply is_derive_Reals in Df. destruct (Df e He) as ((d & Hd) & K). exists d; split; auto.
-  assert (Q : forall h, h <> 0 -> Rabs h < d -> Rabs (f (t + h) - f t - f' t * h) <= e * Rabs h).
-  { intros h Hh Hh'. specialize (K h Hh Hh'). replace (f (t + h) - f t - f' t * h)
-    with (((f (t + h) - f t) / h - f' t) * h) by (field; auto). rewrite Rabs_mult. scale. }
-  intros r c Hr Hc. assert (A : - e * (c - t) <= f c - f t).
-  { destruct (Req_dec c t) as [->|]; [lra|]. specialize (Q (c - t) ltac:(lra)). rewrite (Rabs_pos_eq (c - t)) in Q
-    by lra. replace (t + (c - t)) with c in Q by ring. specialize (Q ltac:(lra)). apply Rabs_inv in Q. nra. }
-  assert (B : - e * (t - r) <= f t - f r).
-  { destruct (Req_dec r t) as [->|]; [lra|]. specialize (Q (r - t) ltac:(lra)). rewrite (Rabs_left (r - t)) in Q by lra.
-    replace (t + (r - t)) with r in Q by ring. specialize (Q ltac:(lra)). apply Rabs_inv in Q. nra. }
-  lra.
+  intros He Df Pf. destruct (derive_near f t _ e Df He) as (d & Hd & K). exists d; split; auto. intros r c Hr Hc.
+  pose proof (K r ltac:(apply Rabs_def1; lra)) as A. pose proof (K c ltac:(apply Rabs_def1; lra)) as B.
+  rewrite (Rabs_left1 (r - t)) in A by lra. rewrite (Rabs_pos_eq (c - t)) in B by lra. apply Rabs_inv in A, B. nra.
 Qed.
 
 (** An absolutely continuous function with a derivative >= 0 almost everywhere does not decrease. *)
@@ -140,19 +130,14 @@ Proof.
   assert (LaS : forall n, La n q - La n p <= d).
   { intros n. apply Rle_trans with (2 := Sm n). unfold La. rewrite <- minus_sum. apply sum_Rle. intros i _.
     apply clamp_range; auto. }
-  assert (LaJ : forall n m r t, r <= t -> La n t - La n r <= La (Nat.max n m) t - La (Nat.max n m) r /\
-    La m t - La m r <= La (Nat.max n m) t - La (Nat.max n m) r).
-  { split.
-    - replace (Nat.max n m) with (n + (Nat.max n m - n))%nat by lia. apply LaN; auto.
-    - replace (Nat.max n m) with (m + (Nat.max n m - m))%nat by lia. apply LaN; auto. }
   set (P := fun r => exists l n, chain l p r /\ lengths l <= La n r - La n p /\ - e * (r - p) - moves f l <= f r - f p).
   assert (Step : forall r c, p <= r <= c -> (- e * (c - r) <= f c - f r \/ exists n, a n < r /\ c < b n) -> P r -> P c).
   { intros r c Hr [Q|(n & Hn & Hn')] (l & m & Ch & Ln & Mv).
     - exists l, m. split; [apply chain_on with r; auto; lra|]. pose proof (LaG m r c). lra.
-    - exists (l ++ [(r, c)]), (Nat.max n m). split; [apply chain_snoc; auto; lra|]. rewrite lengths_snoc, moves_snoc.
-      destruct (LaJ n m r c ltac:(lra)) as (J1 & _). destruct (LaJ n m p r ltac:(lra)) as (_ & J2).
-      pose proof (LaI n r c Hn ltac:(lra) Hn'). split; [lra|]. pose proof (Rle_abs (- (f c - f r))) as A.
-      rewrite Rabs_Ropp in A. nra. }
+    - exists (l ++ [(r, c)]), (n + m)%nat. split; [apply chain_snoc; auto; lra|]. rewrite lengths_snoc, moves_snoc.
+      pose proof (LaN n m r c ltac:(lra)). pose proof (LaN m n p r ltac:(lra)) as J. rewrite (Nat.add_comm m n) in J.
+      pose proof (LaI n r c Hn ltac:(lra) Hn'). pose proof (Rle_abs (- (f c - f r))) as A. rewrite Rabs_Ropp in A. nra.
+  }
   assert (Near : forall c, p <= c <= q -> exists h, 0 < h /\ forall r t, c - h < r <= c -> c <= t < c + h ->
     - e * (t - r) <= f t - f r \/ exists n, a n < r /\ t < b n).
   { intros c Hc. destruct (Classical_Prop.classic (N c)) as [Nc|Nc].
@@ -256,31 +241,16 @@ Lemma null_first (E : R -> Prop) :
   (forall t, E t -> 0 <= t /\ exists d, 0 < d /\ forall r, t - d < r < t -> ~ E r) -> null E.
 Proof.
   intros Iso.
-  (* every cell [k w, (k + 1) w) of every width w = 1 / (i + 1) is given a point: its first time, if it has one *)
+  (* every rational number is given a point: the first time from it on *)
   set (low := fun n => INR (snd (of_nat n)) / (INR (fst (of_nat n)) + 1)).
-  set (high := fun n => (INR (snd (of_nat n)) + 1) / (INR (fst (of_nat n)) + 1)).
-  set (A := fun n r => r = - high n \/ (E (- r) /\ low n <= - r < high n)).
-  assert (Pos : forall n, 0 < INR (fst (of_nat n)) + 1) by (intros n; pose proof (pos_INR (fst (of_nat n))); lra).
-  assert (Lh : forall n, low n < high n).
-  { intros n. apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; auto|lra]. }
-  assert (Bound : forall n, bound (A n)).
-  { intros n. exists (- low n). intros r [->|(_ & Hr)]; [specialize (Lh n); lra|lra]. }
-  assert (Some : forall n, exists r, A n r) by (intros n; exists (- high n); left; auto).
-  set (p := fun n => - proj1_sig (completeness (A n) (Bound n) (Some n))).
-  assert (In : forall t, E t -> exists n, t = p n).
+  set (p := fun n => real (Glb_Rbar (fun r => E r /\ low n <= r))). assert (In : forall t, E t -> exists n, t = p n).
   { intros t Et. destruct (Iso t Et) as (Ht & d & Hd & No). destruct (nfloor_ex (1 / d)) as (i & Hi); [positive|].
-    pose proof (pos_INR i) as Pi. destruct (nfloor_ex (t * (INR i + 1))) as (k & Hk); [positive|].
-    set (n := to_nat (i, k)). exists n. assert (Ln : low n * (INR i + 1) = INR k).
-    { unfold low, n. rewrite cancel_of_to. simpl. field. lra. }
-    assert (Hn : high n * (INR i + 1) = INR k + 1).
-    { unfold high, n. rewrite cancel_of_to. simpl. field. lra. }
-    assert (Wd : 1 < d * (INR i + 1)).
-    { assert (Q : d * (1 / d) = 1) by (field; lra). rewrite <- Q at 1. scale. }
-    assert (In : low n <= t < high n) by (split; nra).
-    unfold p. destruct completeness as (c & Ub & Lub). simpl. apply Rle_antisym.
-    + cut (c <= - t); [lra|]. apply Lub. intros r [->|(Er & Hr)]; [lra|]. apply Rnot_lt_le. intros Lt.
-      apply (No (- r)); [nra|auto].
-    + cut (- t <= c); [lra|]. apply Ub. right. rewrite Ropp_involutive. auto. }
+    pose proof (pos_INR i). destruct (nfloor_ex (t * (INR i + 1))) as (k & Hk); [positive|].
+    assert (Wd : 1 / d * d = 1) by (field; lra). assert (Ln : low (to_nat (i, k)) * (INR i + 1) = INR k).
+    { unfold low. rewrite cancel_of_to. simpl. field. lra. }
+    exists (to_nat (i, k)). unfold p. rewrite (is_glb_Rbar_unique _ t); auto. split.
+    - intros r (Er & Hr). apply Rnot_lt_le. intros Lt. apply (No r); [split; nra|auto].
+    - intros b Hb. apply Hb. split; [auto|nra]. }
   intros e He. destruct (null_points p e He) as (a & b & Ab & Ac & As). exists a, b. auto.
 Qed.
 
@@ -298,8 +268,8 @@ Proof. intros I A T HT. destruct (A T HT) as (N & HN & F). exists N. split; auto
 Lemma almost_crowded (E : R -> Prop) : almost (fun t => E t -> forall d, 0 < d -> exists r, t - d < r < t /\ E r).
 Proof.
   intros T HT. exists (fun t => 0 <= t /\ E t /\ exists d, 0 < d /\ forall r, t - d < r < t -> ~ E r). split.
-  - apply null_first. intros t (Ht & Et & d & Hd & No). split; [auto|]. exists d. split; [auto|]. intros r Hr (_ & Er & _).
-    exact (No r Hr Er).
+  - apply null_first. intros t (Ht & Et & d & Hd & No). split; [auto|]. exists d. split; [auto|].
+    intros r Hr (_ & Er & _). exact (No r Hr Er).
   - intros t Ht No Et d Hd. apply Classical_Prop.NNPP. intros F. apply No. repeat split; [lra|auto|]. exists d.
     split; [auto|]. eauto.
 Qed.
@@ -307,11 +277,10 @@ Qed.
 Lemma almost_no_simple_zero f : almost (fun t => f t = 0 -> forall l, is_derive f t l -> l = 0).
 Proof.
   apply (almost_impl _ _) with (2 := almost_crowded (fun t => f t = 0)). intros t _ Cr Z l D.
-  destruct (Req_dec l 0) as [|Nl]; auto. apply is_derive_Reals in D.
-  destruct (D (Rabs l) (Rabs_pos_lt l Nl)) as ((d & Hd) & K). simpl in K. destruct (Cr Z d Hd) as (r & Hr & Zr).
-  specialize (K (r - t) ltac:(lra)). replace (t + (r - t)) with r in K by ring.
-  specialize (K ltac:(apply Rabs_def1; lra)). rewrite Z, Zr in K.
-  replace ((0 - 0) / (r - t) - l) with (- l) in K by (field; lra). rewrite Rabs_Ropp in K. lra.
+  destruct (Req_dec l 0) as [|Nl]; auto. apply Rabs_pos_lt in Nl.
+  destruct (derive_near f t l (Rabs l / 2) D ltac:(lra)) as (d & Hd & K). destruct (Cr Z d Hd) as (r & Hr & Zr).
+  specialize (K r ltac:(apply Rabs_def1; lra)). pose proof (Rabs_pos_lt (r - t) ltac:(lra)).
+  replace (f r - f t - l * (r - t)) with (- (l * (r - t))) in K by lra. rewrite Rabs_Ropp, Rabs_mult in K. nra.
 Qed.
 (** a single time is none of them *)
 Lemma almost_not c : almost (fun t => t <> c).
@@ -327,7 +296,7 @@ Lemma almost_some P T : 0 < T -> almost P -> exists t, 0 <= t <= T /\ P t.
 Proof.
   intros HT A. apply Classical_Prop.NNPP. intros No. destruct (A T ltac:(lra)) as (N & HN & F).
   pose proof (ac_grows (fun t => -1 * t) (fun _ => 0) N 0 T (ac_linear (-1)) HN ltac:(lra)) as G.
-  cut (-1 * 0 <= -1 * T); [lra|]. apply G. intros t Ht Nt. exfalso. apply No. exists t. auto.
+  cut (-1 * 0 <= -1 * T); [lra|]. apply G. intros t Ht Nt. exfalso. eauto.
 Qed.
 (** of what is equal from 0 on *)
 Lemma ac_ext f g : (forall t, 0 <= t -> f t = g t) -> ac f -> ac g.

@@ -14,77 +14,48 @@ Definition one_way (f : R -> R) (t e : R) := exists d, 0 < d /\
   ((forall h, 0 < h < d -> f t < f (t + e * h)) \/
    (forall h h', 0 <= h <= h' -> h' < d -> f (t + e * h') <= f (t + e * h))).
 
-(** *** All derivatives P i of a function on [0, d) *)
+(** *** All derivatives P i of a function near 0 *)
 Section Derivatives.
-Context (P : nat -> R -> R) (d : R) (Hd : 0 < d) (DP : forall i h, 0 <= h < d -> is_derive (P i) h (P (S i) h)).
+Context (P : nat -> R -> R) (d : R) (Hd : 0 < d) (DP : forall i h, Rabs h < d -> is_derive (P i) h (P (S i) h)).
 
-(** the mean value theorem for each of them *)
-Lemma mean i g g' a c : 0 <= a < c -> c < d -> (forall h, 0 <= h < d -> is_derive g h (g' h)) ->
-  exists h, a < h < c /\ (g c - P i c) - (g a - P i a) = (g' h - P (S i) h) * (c - a).
+Lemma derivatives i j h : Rabs h < d -> is_derive_n (P i) j h (P (i + j)%nat h).
 Proof.
-  intros Ha Hc Dg. destruct (MVT_cor2 (fun h => g h - P i h) (fun h => g' h - P (S i) h) a c) as (h & E & Hh);
-    [lra| |eauto].
-  intros h Hh. apply is_derive_Reals. apply (is_derive_minus g (P i)); [apply Dg|apply DP]; lra.
+  revert h. induction j as [|j IH]; intros h Hh; [rewrite Nat.add_0_r; reflexivity|]. rewrite Nat.add_succ_r.
+  apply is_derive_ext_loc with (P (i + j)%nat); [|apply DP; auto]. assert (Hd' : 0 < d - Rabs h) by lra.
+  exists (mkposreal _ Hd'). intros u Hu. change (Rabs (u - h) < d - Rabs h) in Hu. symmetry.
+  apply is_derive_n_unique, IH. pose proof (Rabs_triang_inv u h). lra.
 Qed.
 
-(** where all are 0 at 0, each is as small as its power series allows *)
-Lemma below_power C K : 0 < C -> 0 < K -> (forall i h, 0 <= h < d -> Rabs (P i h) <= C * K ^ i * INR (fact i)) ->
-  (forall i, P i 0 = 0) -> forall j i h, 0 <= h < d -> Rabs (P i h) <= C * K ^ (i + j) * (INR (fact (i + j)) / INR
-    (fact j)) * h ^ j.
+(** Taylor, where the first j of them are 0 at 0 *)
+Lemma taylor i j h : 0 < h < d -> (forall l, (l < j)%nat -> P (i + l)%nat 0 = 0) ->
+  exists z, 0 < z <= h /\ P i h = h ^ j / INR (fact j) * P (i + j)%nat z.
 Proof.
-  intros HC HK B Z. induction j as [|j IH]; intros i h Hh.
-  - rewrite Nat.add_0_r, pow_O, Rmult_1_r. replace (INR (fact 0)) with 1 by reflexivity.
-    unfold Rdiv. rewrite Rinv_1, Rmult_1_r. auto.
-  - replace (i + S j)%nat with (S i + j)%nat by lia. destruct (Req_dec h 0) as [->|Nz].
-    { rewrite Z, Rabs_R0, pow_i by lia. lra. }
-    set (A := C * K ^ (S i + j) * (INR (fact (S i + j)) / INR (fact (S j)))).
-    assert (Dg : forall s, s = 1 \/ s = -1 -> forall u, 0 <= u < d ->
-      is_derive (fun u => s * (A * u ^ S j)) u (s * (A * INR (S j) * u ^ j))).
-    { intros s _ u _. auto_derive; auto. change (match j with 0%nat => 1 | S _ => INR j + 1 end) with (INR (S j)).
-      ring. }
-    assert (Fj : 0 < INR (fact j)) by (apply lt_0_INR, lt_O_fact). assert (Sj : 0 < INR (S j)) by (apply lt_0_INR; lia).
-    assert (Up : forall u, 0 <= u < d -> Rabs (P (S i) u) <= A * INR (S j) * u ^ j).
-    { intros u Hu. eapply Rle_trans; [apply IH; auto|]. apply Req_le. unfold A.
-      replace (fact (S j)) with (S j * fact j)%nat by reflexivity. rewrite mult_INR. field. lra. }
-    destruct (mean i _ _ 0 h ltac:(lra) ltac:(lra) (Dg 1 ltac:(auto))) as (u & Hu & E).
-    destruct (mean i _ _ 0 h ltac:(lra) ltac:(lra) (Dg (-1) ltac:(auto))) as (q & Hq & E').
-    pose proof (Up u ltac:(lra)) as U1. pose proof (Up q ltac:(lra)) as U2. rewrite Z, pow_i in E, E' by lia.
-    apply Rabs_le_between in U1. apply Rabs_le_between in U2. apply Rabs_le. split; nra.
+  intros Hh Z. assert (In : forall t, 0 <= t <= h -> Rabs t < d) by (intros t Ht; rewrite Rabs_pos_eq; lra).
+  destruct j as [|j]; [exists h; split; [lra|]; rewrite Nat.add_0_r; simpl; field|].
+  destruct (Taylor_Lagrange (P i) j 0 h) as (z & Hz & E); [lra| |].
+  { intros t Ht [|k] _; [exact I|]. eexists. apply (derivatives i (S k)); auto. }
+  exists z. split; [lra|].
+  rewrite E, Rminus_0_r, (is_derive_n_unique _ _ _ _ (derivatives i (S j) z (In z ltac:(lra)))).
+  rewrite sum_eq_R0; [ring|]. intros n Hn.
+  rewrite (is_derive_n_unique _ _ _ _ (derivatives i n 0 (In 0 ltac:(lra)))), Z by lia. ring.
 Qed.
 
-(** so the function is 0 there as far as the series converges *)
-Lemma flat C K : 0 < C -> 0 < K -> (forall i h, 0 <= h < d -> Rabs (P i h) <= C * K ^ i * INR (fact i)) ->
+(** where all are 0 at 0 the function is 0 as far as its power series converges *)
+Lemma flat C K : 0 < C -> 0 < K -> (forall i h, Rabs h < d -> Rabs (P i h) <= C * K ^ i * INR (fact i)) ->
   (forall i, P i 0 = 0) -> forall h, 0 <= h < d -> K * h <= / 2 -> P 0%nat h = 0.
 Proof.
-  intros HC HK B Z h Hh Small. apply Rabs_eq_0, Rle_antisym; [|apply Rabs_pos]. apply le_epsilon. intros e He.
-  destruct (pow_lt_1_zero (/ 2) ltac:(rewrite Rabs_pos_eq; lra) (e / C) ltac:(apply Rdiv_lt_0_compat; auto)) as (n & Q).
+  intros HC HK B Z h Hh Small. destruct (Req_dec h 0) as [->|Nz]; auto.
+  apply Rabs_eq_0, Rle_antisym; [|apply Rabs_pos]. apply le_epsilon. intros e He.
+  destruct (pow_lt_1_zero (/ 2) ltac:(rewrite Rabs_pos_eq; lra) (e / C) ltac:(positive)) as (n & Q).
   specialize (Q n ltac:(lia)). rewrite Rabs_pos_eq in Q by (apply pow_le; lra).
-  pose proof (below_power C K HC HK B Z n 0%nat h Hh) as L. change (0 + n)%nat with n in L.
-  replace (C * K ^ n * (INR (fact n) / INR (fact n)) * h ^ n) with (C * (K * h) ^ n) in L
-    by (rewrite Rpow_mult_distr; field; apply INR_fact_neq_0).
+  destruct (taylor 0 n h ltac:(lra) ltac:(auto)) as (z & Hz & ->). change (0 + n)%nat with n.
+  assert (Fn : 0 < INR (fact n)) by (apply lt_0_INR, lt_O_fact). assert (Hn : 0 < h ^ n / INR (fact n)) by positive.
+  rewrite Rabs_mult, (Rabs_pos_eq (h ^ n / _)) by lra. specialize (B n z ltac:(rewrite Rabs_pos_eq; lra)).
+  apply Rle_trans with (C * (K * h) ^ n).
+  { replace (C * (K * h) ^ n) with (h ^ n / INR (fact n) * (C * K ^ n * INR (fact n)))
+      by (rewrite Rpow_mult_distr; field; lra). scale. }
   assert (Pw : (K * h) ^ n <= (/ 2) ^ n) by (apply pow_incr; split; [positive|auto]).
-  assert (C * (K * h) ^ n <= C * (e / C)) by scale. assert (C * (e / C) = e) by (field; lra). lra.
-Qed.
-
-(** the sign at 0 of the first derivative that is not 0 there is for a while that of all lower ones *)
-Lemma rising k n : k = 1 \/ k = -1 -> 0 < k * P n 0 -> (forall i, (i < n)%nat -> P i 0 = 0) ->
-  exists c, 0 < c <= d /\ forall i, (i <= n)%nat -> forall h, 0 < h < c -> 0 < k * P i h.
-Proof.
-  intros Hk Pn Z. assert (Near : exists c, 0 < c <= d /\ forall h, 0 <= h < c -> 0 < k * P n h).
-  { assert (Cp : continuity_pt (fun h => k * P n h) 0).
-    { apply derivable_continuous_pt. exists (k * P (S n) 0). apply is_derive_Reals, is_derive_scal, DP. lra. }
-    destruct (Cp (k * P n 0) Pn) as (c & Hc & Q). exists (Rmin c d). pose proof (Rmin_l c d). pose proof (Rmin_r c d).
-    split; [split; [positive|auto]|]. intros h Hh. destruct (Req_dec h 0) as [->|N]; auto.
-    specialize (Q h). simpl in Q. unfold R_dist in Q. rewrite Rminus_0_r, (Rabs_pos_eq h) in Q by lra.
-    assert (D : Rabs (k * P n h - k * P n 0) < k * P n 0) by (apply Q; split; [split; [exact I|auto]|lra]).
-    apply Rabs_def2 in D. lra. }
-  destruct Near as (c & Hc & Near). exists c. split; auto. intros i Hi. remember (n - i)%nat as j eqn:Ej.
-  revert i Hi Ej. induction j as [|j IH]; intros i Hi Ej h Hh.
-  - replace i with n by lia. apply Near. lra.
-  - destruct (mean i (fun _ => 0) (fun _ => 0) 0 h ltac:(lra) ltac:(lra)) as (u & Hu & E).
-    { intros u _. auto_derive; auto. }
-    rewrite (Z i) in E by lia. pose proof (IH (S i) ltac:(lia) ltac:(lia) u ltac:(lra)) as Pu.
-    replace (P i h) with (P (S i) u * h) by lra. rewrite <- Rmult_assoc. positive.
+  assert (C * (e / C) = e) by (field; lra). nra.
 Qed.
 
 (** one that never falls stays *)
@@ -92,71 +63,43 @@ Lemma never_rises c : 0 < c <= d -> (forall h, 0 < h < c -> P 1%nat h <= 0) -> f
   P 0%nat h' <= P 0%nat h.
 Proof.
   intros Hc N h h' Hh Hh'. destruct (Req_dec h h') as [->|Ne]; [lra|].
-  destruct (mean 0 (fun _ => 0) (fun _ => 0) h h' ltac:(lra) ltac:(lra)) as (u & Hu & E).
-  { intros u _. auto_derive; auto. }
-  specialize (N u ltac:(lra)). nra.
+  destruct (MVT_cor2 (P 0%nat) (P 1%nat) h h') as (u & E & Hu); [lra| |specialize (N u ltac:(lra)); nra].
+  intros u Hu. apply is_derive_Reals, DP. rewrite Rabs_pos_eq; lra.
 Qed.
 
-(** the alternatives: the function rises, or it never does *)
-Lemma rises_or_not C K : 0 < C -> 0 < K -> (forall i h, 0 <= h < d -> Rabs (P i h) <= C * K ^ i * INR (fact i)) ->
+(** the alternatives: the function rises, or it never does; the first derivative that is not 0 at 0 decides *)
+Lemma rises_or_not C K : 0 < C -> 0 < K -> (forall i h, Rabs h < d -> Rabs (P i h) <= C * K ^ i * INR (fact i)) ->
   P 0%nat 0 = 0 -> exists c, 0 < c <= d /\
   ((forall h, 0 < h < c -> 0 < P 0%nat h) \/ (forall h h', 0 <= h <= h' -> h' < c -> P 0%nat h' <= P 0%nat h)).
 Proof.
-  intros HC HK B Z0. destruct (classic (exists n, P n 0 <> 0)) as [Ex|No].
+  intros HC HK B Z0. assert (R0 : Rabs 0 < d) by (rewrite Rabs_R0; auto).
+  destruct (classic (exists n, P n 0 <> 0)) as [Ex|No].
   - destruct (dec_inh_nat_subset_has_unique_least_element (fun n => P n 0 <> 0) (fun n => classic _) Ex)
       as (n & (Pn & Least) & _).
     assert (Z : forall i, (i < n)%nat -> P i 0 = 0).
     { intros i Hi. apply NNPP. intros N. specialize (Least i N). lia. }
-    assert (N1 : (1 <= n)%nat) by (destruct n; [contradiction|lia]). destruct (Rdichotomy _ _ Pn) as [Neg|Pos].
-    + destruct (rising (-1) n (or_intror eq_refl) ltac:(lra) Z) as (c & Hc & Q). exists c. split; auto. right.
-      apply never_rises; auto. intros h Hh. specialize (Q 1%nat N1 h Hh). lra.
-    + destruct (rising 1 n (or_introl eq_refl) ltac:(lra) Z) as (c & Hc & Q). exists c. split; auto. left.
-      intros h Hh. specialize (Q 0%nat ltac:(lia) h Hh). lra.
+    assert (N1 : (1 <= n)%nat) by (destruct n; [contradiction|lia]).
+    destruct (continuous_near (P n) 0 (Rabs (P n 0))) as (c & Hc & Near); [|apply Rabs_pos_lt; auto|].
+    { apply @ex_derive_continuous. eexists. apply DP, R0. }
+    exists (Rmin c d). pose proof (Rmin_l c d). pose proof (Rmin_r c d). split; [split; [positive|auto]|].
+    assert (Sign : forall i h, (i <= n)%nat -> 0 < h < Rmin c d -> 0 < P n 0 * P i h).
+    { intros i h Hi Hh. destruct (taylor i (n - i) h ltac:(lra)) as (z & Hz & ->); [intros l Hl; apply Z; lia|].
+      replace (i + (n - i))%nat with n by lia. specialize (Near z ltac:(rewrite Rminus_0_r, Rabs_pos_eq; lra)).
+      assert (0 < P n 0 * P n z) by (unfold Rabs in Near; repeat destruct Rcase_abs; nra).
+      assert (Fn : 0 < INR (fact (n - i))) by (apply lt_0_INR, lt_O_fact).
+      replace (P n 0 * (h ^ (n - i) / INR (fact (n - i)) * P n z)) with
+        (h ^ (n - i) / INR (fact (n - i)) * (P n 0 * P n z)) by ring. positive. }
+    destruct (Rdichotomy _ _ Pn) as [Neg|Pos]; [right|left].
+    + apply never_rises; [split; [positive|auto]|]. intros h Hh. specialize (Sign 1%nat h N1 Hh). nra.
+    + intros h Hh. specialize (Sign 0%nat h ltac:(lia) Hh). nra.
   - assert (Z : forall i, P i 0 = 0) by (intros i; apply NNPP; intros N; apply No; exists i; auto).
-    exists (Rmin d (/ (2 * K))). pose proof (Rmin_l d (/ (2 * K))). pose proof (Rmin_r d (/ (2 * K))).
-    assert (0 < / (2 * K)) by positive. split; [split; [positive|auto]|]. right.
     assert (F : forall h, 0 <= h < Rmin d (/ (2 * K)) -> P 0%nat h = 0).
-    { intros h Hh. apply (flat C K); auto; [lra|]. replace (/ 2) with (K * / (2 * K)) by (field; lra).
-      apply Rmult_le_compat_l; lra. }
-    intros h h' Hh Hh'. rewrite !F by lra. lra.
+    { intros h Hh. pose proof (Rmin_l d (/ (2 * K))). pose proof (Rmin_r d (/ (2 * K))). apply (flat C K); auto; [lra|].
+      replace (/ 2) with (K * / (2 * K)) by (field; lra). apply Rmult_le_compat_l; lra. }
+    exists (Rmin d (/ (2 * K))). split; [split; [positive|apply Rmin_l]|]. right. intros h h' Hh Hh'.
+    rewrite !F by lra. lra.
 Qed.
 End Derivatives.
-
-(** a function that is analytic at t goes one way next to it, on either side *)
-Theorem analytic_one_way f t e : e = 1 \/ e = -1 -> analytic_at f t -> one_way f t e.
-Proof.
-  intros He (P & d & C & K & Hd & HC & HK & P0 & DP).
-  assert (E0 : Rabs e = 1) by (unfold Rabs; destruct Rcase_abs; lra).
-  assert (In : forall h, 0 <= h < d -> Rabs (t + e * h - t) < d).
-  { intros h Hh. replace (t + e * h - t) with (e * h) by ring. rewrite Rabs_mult, E0, (Rabs_pos_eq h); lra. }
-  assert (E1 : forall i, Rabs (e ^ i) = 1).
-  { intros i. rewrite <- RPow_abs, E0. apply pow1. }
-  (* the derivatives along the way, of f less its value at t *)
-  set (Q := fun i h => match i with O => P 0%nat (t + e * h) - P 0%nat t | S _ => e ^ i * P i (t + e * h) end).
-  destruct (rises_or_not Q d Hd) with (C := 2 * C) (K := K) as (c & Hc & W); try lra.
-  - intros i h Hh. destruct (DP i _ (In h Hh)) as (D & _). assert (Ch : is_derive (fun h => P i (t + e * h)) h (e * P
-    (S i) (t + e * h))).
-    { apply (is_derive_comp (P i) (fun h => t + e * h)); auto. auto_derive; auto; ring. }
-    destruct i as [|i].
-    + unfold Q. rewrite pow_1. apply (is_derive_ext (fun h => P 0%nat (t + e * h) + - P 0%nat t)); [reflexivity|].
-      replace (e * P 1%nat (t + e * h)) with (e * P 1%nat (t + e * h) + 0) by ring.
-      apply (is_derive_plus (fun h => P 0%nat (t + e * h)) (fun _ => - P 0%nat t)); [auto|auto_derive; auto].
-    + unfold Q. replace (e ^ S (S i) * P (S (S i)) (t + e * h)) with (e ^ S i * (e * P (S (S i)) (t + e * h))) by
-      (simpl; ring). apply (is_derive_scal (fun h => P (S i) (t + e * h))); auto.
-  - intros i h Hh. destruct (DP i _ (In h Hh)) as (_ & B). assert (0 <= C * K ^ i * INR (fact i)).
-    { apply Rmult_le_pos; [apply Rmult_le_pos; [lra|apply pow_le; lra]|apply pos_INR]. }
-    destruct i as [|i]; unfold Q.
-    + destruct (DP 0%nat t ltac:(rewrite Rminus_diag_eq, Rabs_R0; auto)) as (_ & B0). simpl in *.
-      eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
-    + rewrite Rabs_mult, E1, Rmult_1_l. nra.
-  - unfold Q. rewrite Rmult_0_r, Rplus_0_r. ring.
-  - assert (F : forall h, 0 <= h < c -> Q 0%nat h = f (t + e * h) - f t).
-    { intros h Hh. unfold Q. rewrite P0 by (apply In; lra). f_equal. f_equal. apply P0.
-      rewrite Rminus_diag_eq, Rabs_R0; auto. }
-    exists c. split; [lra|]. destruct W as [W|W]; [left|right].
-    + intros h Hh. specialize (W h Hh). rewrite F in W by lra. lra.
-    + intros h h' Hh Hh'. specialize (W h h' Hh Hh'). rewrite !F in W by lra. lra.
-Qed.
 
 (** *** Which functions are analytic *)
 
@@ -171,18 +114,16 @@ Qed.
 Lemma analytic_derive f t : analytic_at f t -> exists l, is_derive f t l.
 Proof.
   intros (P & d & C & K & Hd & HC & HK & P0 & DP). exists (P 1%nat t).
-  apply is_derive_ext_loc with (P 0%nat); [|apply DP; rewrite Rminus_diag_eq, Rabs_R0; auto].
-  exists (mkposreal d Hd). intros r Hr. apply P0. exact Hr.
+  apply is_derive_ext_loc with (P 0%nat); [|apply DP; rewrite Rminus_diag_eq, Rabs_R0; auto]. exists (mkposreal d Hd).
+  auto.
 Qed.
 
 (** so it is continuous *)
 Lemma analytic_continuous f t : analytic_at f t -> forall e, 0 < e -> exists d, 0 < d /\
   forall r, Rabs (r - t) < d -> Rabs (f r - f t) < e.
 Proof.
-  intros A e He. destruct (analytic_derive f t A) as (l & D).
-  destruct (derivable_continuous_pt f t) with (eps := e) as (d & Hd & Q); [exists l; apply is_derive_Reals, D|auto|].
-  exists d. split; auto. intros r Hr. destruct (Req_dec r t) as [->|N]; [rewrite Rminus_diag_eq, Rabs_R0; auto|].
-  apply Q. split; [split; [exact I|auto]|exact Hr].
+  intros A e He. destruct (analytic_derive f t A) as (l & D). apply continuous_near; auto. apply @ex_derive_continuous.
+  exists l. exact D.
 Qed.
 
 Lemma analytic_plus f g t : analytic_at f t -> analytic_at g t -> analytic_at (fun r => f r + g r) t.
@@ -206,7 +147,7 @@ Proof.
   intros (P & d & C & K & Hd & HC & HK & P0 & DP). pose proof (Rabs_pos c).
   exists (fun i r => c * P i r), d, ((Rabs c + 1) * C), K. split; auto. split; [positive|]. split; auto.
   split; [intros r Hr; rewrite P0; auto|]. intros i r Hr. destruct (DP i r Hr) as (D & B).
-  split; [apply is_derive_scal; auto|]. rewrite Rabs_mult, !Rmult_assoc. rewrite Rmult_assoc in B.
+  split; [apply is_derive_scal; auto|]. rewrite Rabs_mult, !Rmult_assoc.
   apply Rmult_le_compat; auto using Rabs_pos; lra.
 Qed.
 
@@ -221,18 +162,14 @@ Qed.
 Lemma analytic_primitive f f' t : (forall r, is_derive f r (f' r)) -> analytic_at f' t -> analytic_at f t.
 Proof.
   intros D (P & d & C & K & Hd & HC & HK & P0 & DP).
-  destruct (derivable_continuous_pt f t) with (eps := 1) as (d' & Hd' & Q);
-    [exists (f' t); apply is_derive_Reals, D|lra|].
-  assert (Near : forall r, Rabs (r - t) < d' -> Rabs (f r) <= Rabs (f t) + 1).
-  { intros r Hr. destruct (Req_dec r t) as [->|N]; [lra|]. assert (L : Rabs (f r - f t) < 1).
-    { apply Q. split; [split; [exact I|auto]|exact Hr]. }
-    pose proof (Rabs_triang_inv (f r) (f t)). lra. }
+  destruct (continuous_near f t 1) as (d' & Hd' & Near); [apply @ex_derive_continuous; exists (f' t); apply D|lra|].
   set (K' := Rmax K 1). assert (K <= K') by apply Rmax_l. assert (1 <= K') by apply Rmax_r.
   set (C' := Rabs (f t) + 1 + C). pose proof (Rabs_pos (f t)).
-  exists (fun i => match i with O => f | S i => P i end), (Rmin d d'), C', K'.
-  pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). split; [positive|].
-  split; [unfold C'; lra|]. split; [lra|]. split; [auto|]. intros i r Hr. destruct i as [|i].
-  - split; [rewrite P0 by lra; apply D|]. simpl. rewrite !Rmult_1_r. specialize (Near r ltac:(lra)). unfold C'. lra.
+  exists (fun i => match i with O => f | S i => P i end), (Rmin d d'), C', K'. pose proof (Rmin_l d d').
+  pose proof (Rmin_r d d'). split; [positive|]. split; [unfold C'; lra|]. split; [lra|]. split; [auto|]. intros i r Hr.
+  destruct i as [|i].
+  - split; [rewrite P0 by lra; apply D|]. simpl. rewrite !Rmult_1_r. specialize (Near r ltac:(lra)).
+    pose proof (Rabs_triang_inv (f r) (f t)). unfold C'. lra.
   - destruct (DP i r ltac:(lra)) as (Di & B). split; auto. eapply Rle_trans; [exact B|].
     assert (Pw : 0 < K ^ i) by positive. assert (0 <= INR (fact i)) by apply pos_INR.
     assert (INR (fact i) <= INR (fact (S i))) by (apply le_INR, fact_le; lia). assert (K ^ i <= K' ^ S i).
@@ -259,20 +196,42 @@ Proof.
   - rewrite Rmult_1_l, Rabs_mult, <- RPow_abs. pose proof (pow_le (Rabs om) i (Rabs_pos _)).
     pose proof (pow_incr (Rabs om) (Rabs om + 1) i ltac:(lra)).
     assert (1 <= INR (fact i)) by (apply (le_INR 1), lt_O_fact).
-    pose proof (Rabs_pos (sin (om * r + phi + INR i * (PI / 2)))).
     assert (Rabs (sin (om * r + phi + INR i * (PI / 2))) <= 1) by (apply Rabs_le, SIN_bound). nra.
 Qed.
 
-(** a function that runs earlier by T *)
+(** a function that runs from a on, forwards or backwards *)
+Lemma analytic_from f a e t : e = 1 \/ e = -1 -> analytic_at f (a + e * t) -> analytic_at (fun r => f (a + e * r)) t.
+Proof.
+  intros He (P & d & C & K & Hd & HC & HK & P0 & DP). exists (fun i r => e ^ i * P i (a + e * r)), d, C, K.
+  assert (E1 : forall i, Rabs (e ^ i) = 1).
+  { intros i. rewrite <- RPow_abs. replace (Rabs e) with 1 by (unfold Rabs; destruct Rcase_abs; lra). apply pow1. }
+  assert (In : forall r, Rabs (r - t) < d -> Rabs (a + e * r - (a + e * t)) < d).
+  { intros r. replace (a + e * r - (a + e * t)) with (e ^ 1 * (r - t)) by ring. rewrite Rabs_mult, E1. lra. }
+  repeat (split; [assumption|]). split; [intros r Hr; rewrite P0 by auto; ring|]. intros i r Hr.
+  destruct (DP i _ (In r Hr)) as (D & B). split; [|rewrite Rabs_mult, E1, Rmult_1_l; auto]. evar_last.
+  { apply is_derive_scal, (is_derive_comp (P i) (fun r => a + e * r)); [exact D|auto_derive; auto]. }
+  unfold scal; simpl. unfold mult; simpl. ring.
+Qed.
+
 Lemma analytic_shift f t T : analytic_at f (T + t) -> analytic_at (fun r => f (T + r)) t.
 Proof.
-  intros (P & d & C & K & Hd & HC & HK & P0 & DP). exists (fun i r => P i (T + r)), d, C, K.
-  assert (In : forall r, Rabs (r - t) < d -> Rabs (T + r - (T + t)) < d) by (intros r Hr;
-    replace (T + r - (T + t)) with (r - t) by ring; auto).
-  split; auto. split; auto. split; auto. split; [intros; apply P0; auto|]. intros i r Hr.
-  destruct (DP i (T + r) (In r Hr)) as (D & B). split; auto.
-  replace (P (S i) (T + r)) with (scal 1 (P (S i) (T + r))) by apply Rmult_1_l.
-  apply (is_derive_comp (P i) (fun r => T + r)); auto. auto_derive; auto.
+  intros A. apply (analytic_near (fun r => f (T + 1 * r)) _ t 1 Rlt_0_1); [intros; f_equal; ring|].
+  apply analytic_from; auto. rewrite Rmult_1_l. auto.
+Qed.
+
+(** a function that is analytic at t goes one way next to it, on either side *)
+Theorem analytic_one_way f t e : e = 1 \/ e = -1 -> analytic_at f t -> one_way f t e.
+Proof.
+  intros He A. assert (A0 : analytic_at (fun h => f (t + e * h)) 0).
+  { apply analytic_from; auto. rewrite Rmult_0_r, Rplus_0_r. auto. }
+  destruct (analytic_plus _ _ _ A0 (analytic_const (- f t) 0)) as (P & d & C & K & Hd & HC & HK & P0 & DP).
+  assert (In : forall h, 0 <= h < d -> Rabs (h - 0) < d) by (intros; rewrite Rminus_0_r, Rabs_pos_eq; lra).
+  destruct (rises_or_not P d Hd) with (C := C) (K := K) as (c & Hc & W); auto;
+    try (intros; apply DP; rewrite Rminus_0_r; auto).
+  { rewrite P0, Rmult_0_r, Rplus_0_r by (apply In; lra). ring. }
+  exists c. split; [lra|]. destruct W as [W|W]; [left|right].
+  - intros h Hh. specialize (W h Hh). rewrite P0 in W by (apply In; lra). lra.
+  - intros h h' Hh Hh'. specialize (W h h' Hh Hh'). rewrite !P0 in W by (apply In; lra). lra.
 Qed.
 
 (** a polynomial, by its coefficients and powers, plus sinusoids, by amplitude, frequency and phase: a piece of a

@@ -6,10 +6,6 @@ Global Open Scope R_scope.
 Lemma Rabs_inv x a : Rabs x <= a -> - a <= x <= a.
 Proof. intros H. pose proof (Rle_abs x). pose proof (Rle_abs (- x)). rewrite Rabs_Ropp in *. lra. Qed.
 
-(** the smaller of two positive numbers serves where each of them does *)
-Ltac smaller a b :=
-  exists (Rmin a b); pose proof (Rmin_l a b); pose proof (Rmin_r a b); split; [apply Rmin_glb_lt; auto; lra|].
-
 (** signs of what is made of positive numbers, part by part *)
 Ltac positive := first [assumption | lra | (match goal with
   | |- 0 < _ * _ => apply Rmult_lt_0_compat | |- 0 < _ / _ => apply Rdiv_lt_0_compat
@@ -19,6 +15,10 @@ Ltac positive := first [assumption | lra | (match goal with
   | |- 0 <= _ * _ => apply Rmult_le_pos | |- 0 <= _ / _ => apply Rdiv_le_0_compat
   | |- 0 <= _ + _ => apply Rplus_le_le_0_compat | |- 0 <= / _ => apply Rlt_le
   | |- 0 < ?x => is_var x; unfold x | |- 0 <= ?x => is_var x; unfold x end; positive)].
+(** the smallest of some positive numbers serves where each of them does *)
+Ltac min_bounds m := lazymatch m with
+  | Rmin ?a ?b => pose proof (Rmin_l a b); pose proof (Rmin_r a b); min_bounds a; min_bounds b | _ => idtac end.
+Ltac smaller a b := exists (Rmin a b); min_bounds (Rmin a b); split; [positive|].
 (** a product is compared by one of its factors *)
 Ltac scale := first [apply Rmult_le_compat_l | apply Rmult_le_compat_r | apply Rmult_lt_compat_l
   | apply Rmult_lt_compat_r]; first [positive | auto].
@@ -26,7 +26,9 @@ Ltac scale := first [apply Rmult_le_compat_l | apply Rmult_le_compat_r | apply R
 Ltac undivide c := first [refine (proj2 (Rle_div_l _ _ c _) _) | refine (proj1 (Rle_div_r _ _ c _) _)
   | refine (proj2 (Rlt_div_l _ _ c _) _) | refine (proj1 (Rlt_div_r _ _ c _) _)]; [apply Rlt_gt; positive|].
 
-(** from squares to absolute values *)
+(** from both signs, and from squares, to absolute values *)
+Lemma abs_by y c : (forall k, k = 1 \/ k = -1 -> k * y <= c) -> Rabs y <= c.
+Proof. intros Q. apply Rabs_le. pose proof (Q 1 ltac:(auto)). pose proof (Q (-1) ltac:(auto)). lra. Qed.
 Lemma sq_le_abs y z : 0 <= z -> y ^ 2 <= z ^ 2 -> - z <= y <= z.
 Proof. intros; split; nra. Qed.
 
@@ -46,9 +48,16 @@ Definition cont (f : R -> R) :=
   forall t, 0 <= t -> forall eps, 0 < eps -> exists d, 0 < d /\
   forall s, 0 <= s -> Rabs (s - t) < d -> Rabs (f s - f t) < eps.
 
+Lemma little_le f g : (forall h, 0 < h -> Rabs (g h) <= Rabs (f h)) -> little f -> little g.
+Proof.
+  intros E H e He; destruct (H e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
+  eapply Rle_trans; [apply E; lra|auto].
+Qed.
 Lemma little_ext f g : (forall h, f h = g h) -> little f -> little g.
-Proof. intros E H e He; destruct (H e He) as (d & Hd & K). exists d; split; auto. intros; rewrite <- E; auto. Qed.
+Proof. intros E. apply little_le. intros. rewrite E. lra. Qed.
 
+Lemma little_abs f : little f -> little (fun h => Rabs (f h)).
+Proof. apply little_le. intros. rewrite Rabs_Rabsolu. lra. Qed.
 Lemma little_0 : little (fun _ => 0).
 Proof. intros e He; exists 1; split; [lra|]. intros h Hh; rewrite Rabs_R0; nra. Qed.
 
@@ -62,17 +71,13 @@ Qed.
 
 Lemma little_scal c f : little f -> little (fun h => c * f h).
 Proof.
-  intros F e He. pose proof (Rabs_pos c). destruct (F (e / (Rabs c + 1))) as (d & ? & K).
-  { apply Rdiv_lt_0_compat; lra. }
-  exists d; split; auto. intros h Hh. rewrite Rabs_mult. specialize (K h Hh).
-  assert (0 <= e / (Rabs c + 1)) by (apply Rlt_le, Rdiv_lt_0_compat; lra).
-  apply Rle_trans with (Rabs c * (e / (Rabs c + 1) * h)). { apply Rmult_le_compat_l; auto. }
-  replace (e * h) with ((Rabs c + 1) * (e / (Rabs c + 1) * h)) by (field; lra). apply Rmult_le_compat_r; nra.
+  intros F e He. pose proof (Rabs_pos c). destruct (F (e / (Rabs c + 1))) as (d & ? & K); [positive|].
+  exists d; split; auto. intros h Hh. rewrite Rabs_mult. specialize (K h Hh). pose proof (Rabs_pos (f h)).
+  replace e with (e / (Rabs c + 1) * (Rabs c + 1)) by (field; lra). nra.
 Qed.
 
 Lemma little_minus f g : little f -> little g -> little (fun h => f h - g h).
-Proof. intros F G. apply little_ext with (fun h => f h + (-1) * g h); [intros; ring|]. apply little_plus; auto.
-  apply little_scal; auto. Qed.
+Proof. intros F G. eapply little_ext; [|exact (little_plus _ _ F (little_scal (-1) _ G))]. intros; simpl; ring. Qed.
 
 Lemma little_big f : little f -> big f.
 Proof. intros F. destruct (F 1) as (d & ? & K); [lra|]. exists 1, d; repeat split; try lra; auto. Qed.
@@ -80,42 +85,34 @@ Proof. intros F. destruct (F 1) as (d & ? & K); [lra|]. exists 1, d; repeat spli
 Lemma big_id : big (fun h => h).
 Proof. exists 1, 1; repeat split; try lra. intros; rewrite Rabs_pos_eq; lra. Qed.
 
+Lemma big_le f g : (forall h, 0 < h -> Rabs (g h) <= Rabs (f h)) -> big f -> big g.
+Proof.
+  intros E (C & d & ? & ? & K). exists C, d; repeat split; auto. intros; eapply Rle_trans; [apply E; lra|auto].
+Qed.
 Lemma big_ext f g : (forall h, f h = g h) -> big f -> big g.
-Proof. intros E (C & d & ? & ? & K); exists C, d; repeat split; auto. intros; rewrite <- E; auto. Qed.
+Proof. intros E. apply big_le. intros. rewrite E. lra. Qed.
 
 Lemma big_plus f g : big f -> big g -> big (fun h => f h + g h).
 Proof.
-  intros (C1 & d1 & ? & ? & K1) (C2 & d2 & ? & ? & K2).
-  exists (C1 + C2), (Rmin d1 d2); repeat split; try lra; [apply Rmin_glb_lt; auto|]. intros h Hh.
-  pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2).
-  assert (Rabs (f h) <= C1*h) by (apply K1; lra). assert (Rabs (g h) <= C2*h) by (apply K2; lra).
-  pose proof (Rabs_triang (f h) (g h)). lra.
+  intros (C1 & d1 & ? & ? & K1) (C2 & d2 & ? & ? & K2). exists (C1 + C2). smaller d1 d2. split; [positive|].
+  intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). pose proof (Rabs_triang (f h) (g h)). lra.
 Qed.
 
 Lemma big_scal c f : big f -> big (fun h => c * f h).
 Proof.
   intros (C & d & ? & ? & K). pose proof (Rabs_pos c). exists ((Rabs c + 1) * C), d; repeat split; auto; [nra|].
-  intros h Hh. rewrite Rabs_mult. specialize (K h Hh). pose proof (Rabs_pos (f h)).
-  rewrite Rmult_assoc. apply Rmult_le_compat; lra.
+  intros h Hh. rewrite Rabs_mult. specialize (K h Hh). nra.
 Qed.
 
 Lemma big_minus f g : big f -> big g -> big (fun h => f h - g h).
-Proof. intros F G. apply big_ext with (fun h => f h + (-1) * g h); [intros; ring|]. apply big_plus; auto.
-  apply big_scal; auto. Qed.
+Proof. intros F G. eapply big_ext; [|exact (big_plus _ _ F (big_scal (-1) _ G))]. intros; simpl; ring. Qed.
 
 Lemma big_mult f g : big f -> big g -> little (fun h => f h * g h).
 Proof.
-  intros (C1 & d1 & ? & ? & K1) (C2 & d2 & ? & ? & K2) e He. exists (Rmin (Rmin d1 d2) (e / (C1 * C2))); split.
-  { repeat apply Rmin_glb_lt; auto. apply Rdiv_lt_0_compat; nra. }
-  intros h (Hh & Hm). assert (h < d1 /\ h < d2 /\ h < e / (C1 * C2)) as (? & ? & He2).
-  { repeat split; eapply Rlt_le_trans; [exact Hm| |exact Hm| |exact Hm|];
-    [ eapply Rle_trans; [apply Rmin_l|apply Rmin_l] | eapply Rle_trans; [apply Rmin_l|apply Rmin_r] | apply Rmin_r ]. }
-  rewrite Rabs_mult. assert (Rabs (f h) <= C1*h) by (apply K1; lra). assert (Rabs (g h) <= C2*h) by (apply K2; lra).
-  pose proof (Rabs_pos (f h)). pose proof (Rabs_pos (g h)).
-  apply Rle_trans with (C1 * h * (C2 * h)). { apply Rmult_le_compat; auto. } assert (0 < C1 * C2) by nra.
-  assert (C1 * C2 * h < e). { apply Rmult_lt_reg_r with (/ (C1 * C2)). { apply Rinv_0_lt_compat; auto. }
-    replace (C1 * C2 * h * / (C1 * C2)) with h by (field; split; lra). exact He2. }
-  nra.
+  intros (C1 & d1 & ? & ? & K1) (C2 & d2 & ? & ? & K2) e He. assert (0 < C1 * C2) by positive.
+  smaller (e / (C1 * C2)) (Rmin d1 d2). intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
+  assert (Q : h <= e / (C1 * C2)) by lra. apply Rle_div_r in Q; [|lra]. rewrite Rabs_mult.
+  apply Rle_trans with (C1 * h * (C2 * h)); [apply Rmult_le_compat; auto using Rabs_pos|nra].
 Qed.
 
 Lemma rderiv_big f t l : rderiv f t l -> big (fun h => f (t + h) - f t).
@@ -177,58 +174,19 @@ Proof.
   intros Hl H e He. destruct (H e He) as (d & ? & K). exists d; split; auto. intros h Hh.
   specialize (K h Hh). apply Rabs_inv in K. nra.
 Qed.
+Lemma dini_weaken f t l k : l <= k -> dini_le f t l -> dini_le f t k.
+Proof.
+  intros Hl D e He. destruct (D e He) as (d & ? & K). exists d; split; auto. intros h Hh. specialize (K h Hh). nra.
+Qed.
+Lemma dini_scal c f t k : 0 < c -> dini_le f t k -> dini_le (fun u => c * f u) t (c * k).
+Proof.
+  intros Hc D e He. destruct (D (e / c)) as (d & ? & K); [positive|]. exists d; split; auto. intros h Hh.
+  specialize (K h Hh). replace e with (c * (e / c)) by (field; lra). nra.
+Qed.
 Lemma dini_plus f g t k l : dini_le f t k -> rderiv g t l -> dini_le (fun u => f u + g u) t (k + l).
 Proof.
   intros F G e He. destruct (F (e / 2)) as (d & Hd & K); [lra|]. destruct (G (e / 2)) as (d' & Hd' & K'); [lra|].
   smaller d d'. intros h Hh. specialize (K h ltac:(lra)). specialize (K' h ltac:(lra)). apply Rabs_inv in K'. lra.
-Qed.
-
-Lemma cont_abs f : cont f -> cont (fun u => Rabs (f u)).
-Proof.
-  intros C t Ht e He. destruct (C t Ht e He) as (d & Hd & K). exists d; split; auto. intros s Hs Hd1.
-  eapply Rle_lt_trans; [apply Rabs_triang_inv2|]. auto.
-Qed.
-
-Lemma cont_const c : cont (fun _ => c).
-Proof. intros t _ e He; exists 1; split; [lra|]. intros. rewrite Rminus_diag_eq, Rabs_R0; auto. Qed.
-
-Lemma cont_plus f g : cont f -> cont g -> cont (fun u => f u + g u).
-Proof.
-  intros F G t Ht e He. destruct (F t Ht (e/2)) as (d1 & ? & K1); [lra|].
-    destruct (G t Ht (e/2)) as (d2 & ? & K2); [lra|].
-  smaller d1 d2. intros s Hs Hd.
-  assert (Rabs (f s - f t) < e/2) by (apply K1; lra). assert (Rabs (g s - g t) < e/2) by (apply K2; lra).
-  replace (f s + g s - (f t + g t)) with ((f s - f t) + (g s - g t)) by ring.
-  pose proof (Rabs_triang (f s - f t) (g s - g t)). lra.
-Qed.
-
-Lemma cont_mult f g : cont f -> cont g -> cont (fun u => f u * g u).
-Proof.
-  intros F G t Ht e He. pose proof (Rabs_pos (f t)). pose proof (Rabs_pos (g t)).
-  set (k := Rabs (f t) + Rabs (g t) + 1). set (e1 := Rmin 1 (e / (2 * k))).
-  assert (0 < e / (2 * k)) by (apply Rdiv_lt_0_compat; unfold k; lra). assert (0 < e1) by (apply Rmin_glb_lt; lra).
-  destruct (F t Ht e1) as (d1 & ? & K1); auto. destruct (G t Ht e1) as (d2 & ? & K2); auto.
-  smaller d1 d2. intros s Hs Hd.
-  assert (A : Rabs (f s - f t) < e1) by (apply K1; lra). assert (B : Rabs (g s - g t) < e1) by (apply K2; lra).
-  replace (f s * g s - f t * g t) with ((f s - f t) * (g s - g t) + (f s - f t) * g t + f t * (g s - g t)) by ring.
-  eapply Rle_lt_trans. { eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat_r. apply Rabs_triang. }
-  rewrite !Rabs_mult. assert (e1 <= 1) by apply Rmin_l. assert (e1 <= e / (2*k)) by apply Rmin_r.
-  assert (Hk : 0 < k) by (unfold k; lra).
-  assert (k * e1 <= e / 2). { replace (e/2) with (k * (e / (2*k))) by (field; lra). apply Rmult_le_compat_l; lra. }
-  pose proof (Rabs_pos (f s - f t)). pose proof (Rabs_pos (g s - g t)).
-  assert (Rabs (f s - f t) * Rabs (g s - g t) <= e1 * 1) by (apply Rmult_le_compat; lra).
-  assert (Rabs (f s - f t) * Rabs (g t) <= e1 * Rabs (g t)) by (apply Rmult_le_compat_r; lra).
-  assert (Rabs (f t) * Rabs (g s - g t) <= Rabs (f t) * e1) by (apply Rmult_le_compat_l; lra). unfold k in *. lra.
-Qed.
-
-Lemma cont_scal c f : cont f -> cont (fun u => c * f u).
-Proof. intros. apply cont_mult; auto. apply cont_const. Qed.
-
-Lemma cont_minus f g : cont f -> cont g -> cont (fun u => f u - g u).
-Proof.
-  intros F G t Ht e He. destruct (cont_plus f (fun u => -1 * g u) F (cont_scal (-1) g G) t Ht e He) as (d & ? & K).
-  exists d; split; auto. intros s Hs Hd. specialize (K s Hs Hd). simpl in K.
-  replace (f s - g s - (f t - g t)) with (f s + -1 * g s - (f t + -1 * g t)) by ring. auto.
 Qed.
 
 Lemma cont_ext f g : (forall u, 0 <= u -> f u = g u) -> cont f -> cont g.
@@ -237,8 +195,43 @@ Proof.
   rewrite <- !E by auto. auto.
 Qed.
 
+(** it is that of Coquelicot, of the function made constant before 0 *)
+Lemma continuous_near (f : R -> R) t e : continuous f t -> 0 < e ->
+  exists d, 0 < d /\ forall u, Rabs (u - t) < d -> Rabs (f u - f t) < e.
+Proof.
+  intros C He. destruct (proj1 (filterlim_locally _ _) C (mkposreal e He)) as (d & K). exists d.
+  split; [apply cond_pos|exact K].
+Qed.
+Lemma cont_of_continuous f : (forall t, continuous f t) -> cont f.
+Proof. intros C t _ e He. destruct (continuous_near f t e (C t) He) as (d & Hd & K). exists d; split; auto. Qed.
+Lemma cont_iff f : cont f <-> forall t, continuous (fun u => f (Rmax 0 u)) t.
+Proof.
+  split; intros C.
+  - intros t. apply filterlim_locally. intros (e & He). destruct (C (Rmax 0 t) (Rmax_l _ _) e He) as (d & Hd & K).
+    exists (mkposreal d Hd). intros u Hu. apply K; [apply Rmax_l|]. eapply Rle_lt_trans; [|exact Hu]. unfold Rmax.
+    repeat destruct Rle_dec; apply Rabs_le; unfold abs, minus, plus, opp; simpl; split_Rabs; lra.
+  - apply cont_ext with (fun u => f (Rmax 0 u)); [intros; rewrite Rmax_right; auto|apply cont_of_continuous; auto].
+Qed.
+Lemma cont_abs f : cont f -> cont (fun u => Rabs (f u)).
+Proof. rewrite !cont_iff. auto using continuous_Rabs_comp. Qed.
+
+Lemma cont_const c : cont (fun _ => c).
+Proof. apply cont_iff. intros t. apply continuous_const. Qed.
+
+Lemma cont_plus f g : cont f -> cont g -> cont (fun u => f u + g u).
+Proof. rewrite !cont_iff. intros F G t. exact (continuous_plus _ _ _ (F t) (G t)). Qed.
+
+Lemma cont_mult f g : cont f -> cont g -> cont (fun u => f u * g u).
+Proof. rewrite !cont_iff. intros F G t. exact (continuous_mult _ _ _ (F t) (G t)). Qed.
+
+Lemma cont_scal c f : cont f -> cont (fun u => c * f u).
+Proof. apply cont_mult; auto. apply cont_const. Qed.
+
+Lemma cont_minus f g : cont f -> cont g -> cont (fun u => f u - g u).
+Proof. rewrite !cont_iff. intros F G t. exact (continuous_minus _ _ _ (F t) (G t)). Qed.
+
 Lemma cont_opp f : cont f -> cont (fun t => - f t).
-Proof. intros C. apply cont_ext with (fun t => -1 * f t); [intros; ring|apply cont_scal; auto]. Qed.
+Proof. rewrite !cont_iff. intros F t. exact (continuous_opp _ _ (F t)). Qed.
 
 (** of a function shifted in time *)
 Lemma cont_shift f s : 0 <= s -> cont f -> cont (fun u => f (s + u)).
@@ -249,15 +242,9 @@ Qed.
 
 Lemma lip_cont f K : 0 <= K -> (forall r t, 0 <= r <= t -> Rabs (f t - f r) <= K * (t - r)) -> cont f.
 Proof.
-  intros HK L t Ht e He. exists (e / (K + 1)); split. { apply Rdiv_lt_0_compat; lra. } intros s Hs Hd.
-  assert (Rabs (f s - f t) <= K * Rabs (s - t)).
-  { destruct (Rle_dec s t).
-    - rewrite (Rabs_minus_sym (f s)), (Rabs_minus_sym s). rewrite (Rabs_pos_eq (t - s)) by lra. apply L; lra.
-    - rewrite (Rabs_pos_eq (s - t)) by lra. apply L; lra. }
-  pose proof (Rabs_pos (s - t)).
-  assert ((K + 1) * Rabs (s - t) < e). { apply Rmult_lt_reg_r with (/ (K + 1)). { apply Rinv_0_lt_compat; lra. }
-    replace ((K+1) * Rabs (s - t) * / (K+1)) with (Rabs (s - t)) by (field; lra). exact Hd. }
-  nra.
+  intros HK L t Ht e He. exists (e / (K + 1)); split; [positive|]. intros s Hs Hd. apply Rlt_div_r in Hd; [|lra].
+  destruct (Rle_dec s t); [rewrite Rabs_left1 in Hd by lra; rewrite Rabs_minus_sym; pose proof (L s t ltac:(lra))|
+    rewrite Rabs_pos_eq in Hd by lra; pose proof (L t s ltac:(lra))]; nra.
 Qed.
 
 (** ** What holds at a time, of what came before, and for a while after each time at which it holds, holds for ever *)
@@ -275,7 +262,7 @@ Proof.
   assert (Upto : forall u, a <= u <= m -> P u).
   { intros u Hu. destruct (Req_dec u m) as [->|]; [|apply Below; lra].
     destruct (Req_dec a m) as [<-|]; [auto|apply Lim; [lra|auto]]. }
-  destruct (Req_dec m c) as [<-|]; [exact Upto|]. exfalso. destruct (Step m) as (d & Hd & Q); [lra|apply Upto; lra|].
+  destruct (Req_dec m c) as [<-|]; [exact Upto|]. destruct (Step m) as (d & Hd & Q); [lra|apply Upto; lra|].
   set (r := Rmin (m + d / 2) c). assert (r <= m + d / 2) by apply Rmin_l. assert (r <= c) by apply Rmin_r.
   assert (m < r) by (apply Rmin_glb_lt; lra). assert (r <= m); [|lra]. apply Ub. split; [lra|]. intros u Hu.
   destruct (Rle_dec u m); [apply Upto|apply Q]; lra.
@@ -322,15 +309,14 @@ Lemma barrier_until f k s t : cont f -> 0 <= s <= t -> f s <= k -> (forall u, s 
   ->
   f t <= k.
 Proof.
-  intros C Hst Fs D. apply le_epsilon. intros q Hq. set (e := q / (t - s + 1)).
-  assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra). assert (Cl : cont (fun u => f u - e * (u - s))).
-  { apply cont_minus; auto. apply (lip_cont _ e); [lra|]. intros r u Hr.
-    replace (e * (u - s) - e * (r - s)) with (e * (u - r)) by ring. rewrite Rabs_pos_eq; nra. }
+  intros C Hst Fs D. apply le_epsilon. intros q Hq. set (e := q / (t - s + 1)). assert (He : 0 < e) by positive.
+  assert (Cl : cont (fun u => f u - e * (u - s))).
+  { apply cont_minus; auto. apply (lip_cont _ e); [lra|]. intros r u Hr. rewrite Rabs_pos_eq; nra. }
   apply Rle_trans with (k + e * (t - s)).
   2: { replace q with (e * (t - s + 1)) by (unfold e; field; lra). nra. }
   apply (onward (fun u => f u <= k + e * (u - s)) s t); try lra.
-  - intros c Hc Below. assert (f c - e * (c - s) <= k); [|lra].
-    apply (cont_le _ k s c Cl); [lra|]. intros u Hu. specialize (Below u Hu). cbv beta in *. lra.
+  - intros c Hc Below. assert (f c - e * (c - s) <= k); [|lra]. apply (cont_le _ k s c Cl); [lra|]. intros u Hu.
+    specialize (Below u Hu). lra.
   - intros c Hc Fc. destruct (Rlt_dec (f c) k) as [L|L].
     + destruct (C c ltac:(lra) (k - f c)) as (d & Hd & K); [lra|]. exists d; split; auto. intros u Hu.
       specialize (K u ltac:(lra) ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in K. nra.
@@ -405,7 +391,7 @@ Proof.
   { exists 0. intros y (t & Ht & ->). specialize (P t Ht). lra. } { exists (- f 0), 0. split; lra. }
   exists (- m). split; [|split].
   - cut (m <= 0); [lra|]. apply L. intros y (t & Ht & ->). specialize (P t Ht). lra.
-  - intros t Ht. cut (- f t <= m); [lra|]. apply U. exists t; auto.
+  - intros t Ht. cut (- f t <= m); [lra|]. eauto.
   - intros e He. apply Classical_Prop.NNPP. intros No. cut (m <= m - e); [lra|]. apply L. intros y (t & Ht & ->).
     apply Rnot_lt_le. intros N. apply No. exists t; split; auto. intros u Hu. specialize (Mo t u ltac:(lra)). lra.
 Qed.
@@ -425,27 +411,23 @@ Proof.
   { exists (F 0 - k * (E 0 - l)), 0; split; [lra|auto]. }
   exists a. intros t Ht. apply Rabs_le. split.
   - assert (a <= F t + k * (E t - l)); [|lra]. apply Lub. intros y (u & Hu & ->). apply Nest; auto.
-  - assert (F t - k * (E t - l) <= a); [|lra]. apply Ub. exists t; auto.
+  - assert (F t - k * (E t - l) <= a); [|lra]. eauto.
 Qed.
 
+(** a derivative, without a quotient *)
+Lemma derive_near f t l e : is_derive f t l -> 0 < e ->
+  exists d, 0 < d /\ forall u, Rabs (u - t) < d -> Rabs (f u - f t - l * (u - t)) <= e * Rabs (u - t).
+Proof.
+  intros (_ & D) He. destruct (D t (fun _ H => H) (mkposreal e He)) as (d & K). exists d. split; [apply cond_pos|].
+  intros u Hu. rewrite Rmult_comm. exact (K u Hu).
+Qed.
 Lemma rderiv_of_derive f t l : is_derive f t l -> rderiv f t l.
 Proof.
-  intros H. apply is_derive_Reals in H. intros e He. destruct (H e He) as (d & K).
-  exists d; split; [apply cond_pos|]. intros h Hh.
-  assert (Q : Rabs ((f (t + h) - f t) / h - l) < e). { apply K; [lra|]. rewrite Rabs_pos_eq; lra. }
-  replace (f (t + h) - f t - l * h) with (((f (t + h) - f t) / h - l) * h) by (field; lra).
-  rewrite Rabs_mult, (Rabs_pos_eq h) by lra. scale.
-Qed.
-
-Lemma cont_of_continuity f : continuity f -> cont f.
-Proof.
-  intros C t _ e He. destruct (C t e He) as (d & Hd & K). exists d; split; auto. intros u _ Hu.
-  destruct (Req_dec u t) as [->|N]. { rewrite Rminus_diag_eq, Rabs_R0; auto. }
-  apply K. split; [split; [exact I|auto]|exact Hu].
+  intros D e He. destruct (derive_near f t l e D He) as (d & Hd & K). exists d; split; auto. intros h Hh.
+  specialize (K (t + h)). replace (t + h - t) with h in K by ring. rewrite (Rabs_pos_eq h) in K by lra. apply K, Hh.
 Qed.
 
 Lemma cont_of_derive f f' : (forall t, is_derive f t (f' t)) -> cont f.
 Proof.
-  intros H. apply cont_of_continuity. intros t. apply derivable_continuous_pt.
-  exists (f' t). apply is_derive_Reals, H.
+  intros H. apply cont_of_continuous. intros t. apply @ex_derive_continuous. eexists. apply H.
 Qed.

@@ -2,42 +2,36 @@
     rest. *)
 From InertialPair Require Import Dini Pursuit.
 
-(** y' <= k y gives an exponential: the logarithm is concave *)
-Lemma log_dini y q k t : 0 < q -> 0 <= t -> (forall u, q <= y u) -> cont y -> (forall u, 0 <= u -> dini_le y u (k * y
-  u)) ->
-  y t <= exp (k * t) * y 0.
+(** y' <= k y gives an exponential: y exp (- k t) does not rise *)
+Lemma in_proportion y k t : 0 <= t -> cont y -> (forall u, 0 <= u -> dini_le y u (k * y u)) -> y t <= exp (k * t) * y 0.
 Proof.
-  intros Hq Ht P C D. assert (Ln : forall u v, 0 < u -> 0 < v -> ln u - ln v <= (u - v) / v).
-  { intros u v Hu Hv. rewrite <- ln_div by auto. pose proof (exp_ineq1_le (ln (u / v))) as I.
-    rewrite exp_ln in I by positive. replace ((u - v) / v) with (u / v - 1) by (field; lra). lra.
-      }
-  assert (Py : forall u, 0 < y u) by (intros u; specialize (P u); lra).
-  assert (Q : ln (y t) - ln (y 0) <= k * (t - 0)).
-  { apply (dini_slope (fun u => ln (y u))); [|lra|].
-    - intros u Hu e He. destruct (C u Hu (q * e)) as (d & Hd & K); [nra|]. exists d; split; auto. intros v Hv Hd'.
-      specialize (K v Hv Hd'). apply Rabs_def2 in K.
-      assert (B : forall p r, q <= p -> q <= r -> p - r < q * e -> ln p - ln r < e).
-      { intros p r Hp Hr L. eapply Rle_lt_trans; [apply Ln; lra|]. undivide r. nra. }
-      apply Rabs_def1; [apply B; auto; lra|]. cut (ln (y u) - ln (y v) < e); [lra|]. apply B; auto; lra.
-    - intros u Hu e He. destruct (D u ltac:(lra) (e * y u)) as (d & Hd & K); [specialize (Py u); nra|]. exists d; split;
-      auto. intros h Hh. specialize (K h Hh). eapply Rle_trans; [apply Ln; auto|]. specialize (Py u).
-      undivide (y u). lra. }
-  rewrite <- (exp_ln (y t)), <- (exp_ln (y 0)) at 1 by auto. rewrite <- exp_plus. apply Rnot_lt_le. intros N.
-  apply exp_lt_inv in N. lra.
+  intros Ht C D. assert (De : forall u, is_derive (fun u => exp (- k * u)) u (- k * exp (- k * u))).
+  { intros u. auto_derive; auto. ring. }
+  assert (Q : y t * exp (- k * t) <= y 0 * exp (- k * 0)).
+  { apply (dini_mono (fun u => y u * exp (- k * u))); [apply cont_mult; auto; eapply cont_of_derive, De|lra|].
+    intros u Hu e He. pose proof (exp_pos (- k * u)) as Ep. set (e' := e / (2 * exp (- k * u))).
+    assert (He' : 0 < e') by positive. destruct (D u ltac:(lra) e' He') as (d & Hd & K).
+    assert (R : rderiv (fun r => (y u + (k * y u + e') * (r - u)) * exp (- k * r)) u (e / 2)).
+    { apply rderiv_of_derive. auto_derive; auto. unfold e', Rminus. rewrite Rplus_opp_r. field. lra. }
+    destruct (R (e / 2) ltac:(lra)) as (d' & Hd' & K'). smaller d d'. intros h Hh. specialize (K h ltac:(lra)).
+    specialize (K' h ltac:(lra)). apply Rabs_inv in K'. pose proof (exp_pos (- k * (u + h))).
+    replace (u + h - u) with h in K' by ring. replace (u - u) with 0 in K' by ring. nra. }
+  rewrite Rmult_0_r, exp_0 in Q. replace (y t) with (exp (k * t) * (y t * exp (- k * t))).
+  - apply Rmult_le_compat_l; [apply Rlt_le, exp_pos|lra].
+  - rewrite Rmult_comm, Rmult_assoc, <- exp_plus. replace (- k * t + k * t) with 0 by ring. rewrite exp_0. ring.
 Qed.
 
 (** a path that an energy pays for as it goes is paid for *)
+Lemma paid_along E c f J r t : cont E -> cont J -> (forall u, 0 <= u -> rderiv J u (f u)) ->
+  (forall u, 0 <= u -> dini_le E u (- (c * f u))) -> 0 <= r <= t -> c * (J t - J r) <= E r - E t.
+Proof.
+  intros CE CJ HJ D Hr. cut (E t + c * J t <= E r + c * J r); [lra|].
+  apply (dini_mono (fun u => E u + c * J u)); auto using cont_plus, cont_scal. intros u Hu.
+  eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ (D u ltac:(lra)) (rderiv_scal c _ _ _ (HJ u ltac:(lra))))]. lra.
+Qed.
 Lemma path_paid E c f r t : cont E -> cont f -> (forall u, 0 <= u -> dini_le E u (- (c * f u))) -> 0 <= r <= t ->
   c * (integral f t - integral f r) <= E r - E t.
-Proof.
-  intros CE Cf D Hr. assert (E t + c * integral f t <= E r + c * integral f r); [|lra].
-  apply (dini_mono (fun u => E u + c * integral f u)); auto.
-  - apply cont_plus; [auto|apply cont_scal, integral_cont, Cf].
-  - intros u Hu e He. destruct (D u ltac:(lra) (e / 2)) as (d1 & H1 & K1); [lra|].
-    destruct (rderiv_scal c _ _ _ (integral_rderiv _ u Cf ltac:(lra)) (e / 2)) as (d2 & H2 & K2); [lra|].
-    smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
-    cbv beta in K2. lra.
-Qed.
+Proof. intros CE Cf. apply paid_along; auto using integral_cont. intros u Hu. apply integral_rderiv; auto. Qed.
 
 (** what an energy pays for converges; at a rate that cannot jump it comes to rest *)
 Section Paid.
@@ -70,15 +64,12 @@ Proof.
   assert (Hd : 0 < e / (2 * K)) by positive. destruct (Lim (c * (e / 2 * (e / (2 * K))) / 2)) as (T & HT & Near).
   { positive. }
   exists T; split; auto. intros t Ht. apply Rnot_lt_le. intros N. set (d := e / (2 * K)) in *.
-  assert (Q : - J (t + d) - - J t <= - (e / 2) * (t + d - t)).
-  { apply (dini_slope (fun u => - J u)); [|lra|].
-    { apply cont_ext with (fun u => -1 * J u); [intros; ring|apply cont_scal; auto]. }
-    intros u Hu. apply rderiv_dini with (-1 * f u).
-    - pose proof (Lf t u ltac:(lra)) as L. apply Rabs_inv in L. assert (K * (u - t) <= K * d) by scale.
-      assert (K * d = e / 2) by (unfold d; field; lra). lra.
-    - apply rderiv_ext with (fun u => -1 * J u); [intros; ring|]. apply rderiv_scal, HJ. lra. }
+  assert (K * d = e / 2) by (unfold d; field; lra).
+  destruct (between J f (e / 2) (f t + K * d) t (t + d) CJ) as (Q & _); [lra| |].
+  { intros u Hu. split; [apply HJ; lra|]. pose proof (Lf t u ltac:(lra)) as L. apply Rabs_inv in L.
+    assert (K * (u - t) <= K * d) by scale. lra. }
   pose proof (Pay t (t + d) ltac:(lra)) as P. pose proof (Near t Ht). pose proof (Lo (t + d) ltac:(lra)).
-  assert (e / 2 * d <= J (t + d) - J t) by lra. assert (c * (e / 2 * d) <= c * (J (t + d) - J t)) by scale.
+  assert (c * (e / 2 * d) <= c * (J (t + d) - J t)) by (apply Rmult_le_compat_l; lra).
   assert (0 < c * (e / 2 * d)) by positive. lra.
 Qed.
 End Paid.

@@ -7,12 +7,9 @@ From InertialPair Require Import Dini.
 Lemma lub_real (A : R -> Prop) m M : A m -> (forall y, A y -> y <= M) ->
   (forall y, A y -> y <= real (Lub_Rbar A)) /\ (forall B, (forall y, A y -> y <= B) -> real (Lub_Rbar A) <= B).
 Proof.
-  intros Am AM. pose proof (Lub_Rbar_correct A) as (U & L). assert (F : is_finite (Lub_Rbar A)).
-  { assert (Rbar_le (Lub_Rbar A) M). { apply L. intros y Hy. apply AM; auto. }
-    pose proof (U m Am). destruct (Lub_Rbar A); simpl in *; try contradiction; reflexivity. }
-  rewrite <- F in U, L. split.
-  - intros y Hy. exact (U y Hy).
-  - intros B HB. exact (L B HB).
+  intros Am AM. destruct (completeness A) as (l & Ub & Lub); [exists M; exact AM|eauto|]. assert (E : Lub_Rbar A = l).
+  { apply is_lub_Rbar_unique. split; [exact Ub|]. intros [B| |] HB; simpl; [apply Lub; exact HB|auto|exact (HB m Am)]. }
+  rewrite E. auto.
 Qed.
 
 (** a bound times a factor *)
@@ -96,9 +93,10 @@ Hypothesis Cc : cont c.
 (** near a time at which it is g away from c *)
 Let near t g : 0 <= t -> 0 < g -> exists d, 0 < d /\ forall u, t <= u < t + d -> Rabs (c u - c t) < g / 4 /\ B u - B t < g / 8.
 Proof.
-  intros Ht Hg. destruct (Cc t Ht (g / 4)) as (d1 & H1 & K1); [lra|]. destruct (CB t Ht (g / 8)) as (d2 & H2 & K2); [lra|].
-  smaller d1 d2. intros u Hu. assert (A : Rabs (u - t) < Rmin d1 d2) by (rewrite Rabs_pos_eq; lra).
-  split; [apply K1; lra|]. specialize (K2 u ltac:(lra) ltac:(lra)). apply Rabs_def2 in K2. lra.
+  intros Ht Hg. destruct (Cc t Ht (g / 4)) as (d1 & H1 & K1); [lra|].
+  destruct (CB t Ht (g / 8)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros u Hu.
+  assert (A : Rabs (u - t) < Rmin d1 d2) by (rewrite Rabs_pos_eq; lra). split; [apply K1; lra|].
+  specialize (K2 u ltac:(lra) ltac:(lra)). apply Rabs_def2 in K2. lra.
 Qed.
 
 (** apart from c it moves as B does, towards c *)
@@ -117,10 +115,9 @@ Proof.
       pose proof (U' _ Q) as W. cbv beta in W. destruct (Rle_dec u t); lra.
     + assert (pursuit u <= pursuit t - (B u - B t)); [|lra]. apply L'. intros z Hz.
       pose proof (U z (below_less t u z ltac:(lra) Hz)). destruct Hz as (_ & Lz & Fz).
-      destruct (Rle_dec (z u) (pursuit t - (B u - B t))) as [|No]; auto. exfalso.
-      assert (z u <= z t - (B u - B t)); [|lra]. apply Fz; try lra. intros v Hv.
-      specialize (Lz v u ltac:(lra) ltac:(lra)). destruct (K v ltac:(lra)) as (Cv & _). pose proof (MB t v ltac:(lra)).
-      apply Rabs_def2 in Cv. unfold g in *. lra.
+      destruct (Rle_dec (z u) (pursuit t - (B u - B t))) as [|No]; auto. assert (z u <= z t - (B u - B t)); [|lra].
+      apply Fz; try lra. intros v Hv. specialize (Lz v u ltac:(lra) ltac:(lra)). destruct (K v ltac:(lra)) as (Cv & _).
+      pose proof (MB t v ltac:(lra)). apply Rabs_def2 in Cv. unfold g in *. lra.
   - apply rderiv_eq with (0 + k * (be - 0)); [ring|].
     apply rderiv_plus; [apply rderiv_const|apply rderiv_scal, rderiv_minus; [auto|apply rderiv_const]].
 Qed.
@@ -138,41 +135,31 @@ Proof.
   - repeat apply cont_minus; auto using pursuit_cont.
   - rewrite !pursuit_0 by auto. specialize (A0 0). lra.
   - intros u Hu Far. specialize (A0 u). destruct (D u Hu) as (DB & DB' & a & Ha & DA). specialize (Near u ltac:(lra)).
-    apply Rabs_inv in Ha. intros q Hq. destruct (DA (q / 4)) as (d0 & H0 & K0); [lra|].
-    destruct (Rlt_dec (c u) (pursuit B c u)) as [Up|No].
-    + destruct (pursuit_moves B c CB MB Cc u (-1) (be u) ltac:(lra) ltac:(auto) ltac:(lra) DB (q / 4)) as (d1 & H1 & K1); [lra|].
-      destruct (DB' (q / 4)) as (d2 & H2 & K2); [lra|]. exists (Rmin d0 (Rmin d1 d2)). split; [positive|].
-      intros h Hh. pose proof (Rmin_l d0 (Rmin d1 d2)). pose proof (Rmin_r d0 (Rmin d1 d2)). pose proof (Rmin_l d1 d2).
-      pose proof (Rmin_r d1 d2). specialize (K0 h ltac:(lra)). specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
-      pose proof (pursuit_lip B' c' MB' u (u + h) ltac:(lra)). apply Rabs_inv in K0, K1, K2. nra.
-    + destruct (pursuit_moves B' c' CB' MB' Cc' u 1 (be' u) ltac:(lra) ltac:(auto) ltac:(lra) DB' (q / 4)) as (d1 & H1 & K1); [lra|].
-      destruct (DB (q / 4)) as (d2 & H2 & K2); [lra|]. exists (Rmin d0 (Rmin d1 d2)). split; [positive|].
-      intros h Hh. pose proof (Rmin_l d0 (Rmin d1 d2)). pose proof (Rmin_r d0 (Rmin d1 d2)). pose proof (Rmin_l d1 d2).
-      pose proof (Rmin_r d1 d2). specialize (K0 h ltac:(lra)). specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
-      pose proof (pursuit_lip B c MB u (u + h) ltac:(lra)). apply Rabs_inv in K0, K1, K2. nra.
+    apply Rabs_inv in Ha.
+    assert (exists G g, g <= a /\ rderiv G u g /\ forall h, 0 < h -> pursuit B c (u + h) - pursuit B' c' (u + h) -
+      (pursuit B c u - pursuit B' c' u) <= G (u + h) - G u) as (G & g & Hg & DG & Le).
+    { destruct (Rlt_dec (c u) (pursuit B c u)) as [Up|No].
+      - exists (fun u => pursuit B c u + B' u), (-1 * be u + be' u). split; [lra|]. split.
+        + apply rderiv_plus; [apply pursuit_moves; auto; lra|auto].
+        + intros h Hh. pose proof (pursuit_lip B' c' MB' u (u + h) ltac:(lra)). lra.
+      - exists (fun u => B u - pursuit B' c' u), (be u - 1 * be' u). split; [lra|]. split.
+        + apply rderiv_minus; [auto|apply pursuit_moves; auto; lra].
+        + intros h Hh. pose proof (pursuit_lip B c MB u (u + h) ltac:(lra)). lra. }
+    intros q Hq. destruct (rderiv_minus _ _ _ _ _ DG DA q Hq) as (d & Hd & K). exists d. split; auto. intros h Hh.
+    specialize (K h Hh). specialize (Le h ltac:(lra)). apply Rabs_inv in K. nra.
 Qed.
 
 Lemma rderiv_exact f t l d : 0 < d -> (forall h, 0 < h < d -> f (t + h) - f t = l * h) -> rderiv f t l.
-Proof. intros Hd F e He. exists d; split; auto. intros h Hh. rewrite F by auto.
-  rewrite Rminus_diag_eq, Rabs_R0 by auto. nra. Qed.
+Proof. intros Hd F e He. exists d; split; auto. intros h Hh. rewrite Rminus_diag_eq, Rabs_R0 by auto. nra. Qed.
 
 (** ** Integrals of functions that are continuous on [0, +oo) *)
 Definition integral (f : R -> R) (t : R) : R := RInt (fun u => f (Rmax 0 u)) 0 t.
 
-Lemma max_continuous f u : cont f -> continuous (fun u => f (Rmax 0 u)) u.
-Proof.
-  intros C. apply continuity_pt_filterlim. intros e He.
-  destruct (C (Rmax 0 u) (Rmax_l _ _) e He) as (d & Hd & K). exists d; split; auto.
-  intros r (_ & Hr). apply K; [apply Rmax_l|]. eapply Rle_lt_trans; [|exact Hr]. simpl. unfold R_dist.
-  unfold Rmax; destruct (Rle_dec 0 r), (Rle_dec 0 u); unfold Rabs; repeat destruct Rcase_abs; lra.
-Qed.
-
 Lemma integral_derive f t : cont f -> is_derive (integral f) t (f (Rmax 0 t)).
 Proof.
-  intros C. apply (is_derive_RInt (fun u => f (Rmax 0 u)) (integral f) 0 t); [|apply max_continuous; auto].
+  intros C. apply (is_derive_RInt (fun u => f (Rmax 0 u)) (integral f) 0 t); [|apply cont_iff; auto].
   exists (mkposreal 1 Rlt_0_1). intros u _. apply (RInt_correct (V := R_CompleteNormedModule)).
-    apply (ex_RInt_continuous (V := R_CompleteNormedModule)).
-  intros r _. apply max_continuous; auto.
+  apply (ex_RInt_continuous (V := R_CompleteNormedModule)). intros r _. apply (proj1 (cont_iff f) C).
 Qed.
 
 Lemma integral_rderiv f t : cont f -> 0 <= t -> rderiv (integral f) t (f t).
@@ -195,8 +182,8 @@ Proof.
   assert (Dl : 0 <= D / l) by positive.
   assert (RE : forall u, is_derive (fun u => D / l * exp (l * u)) u (D * exp (l * u))). { intros u.
     auto_derive; auto. field; lra. }
-  assert (Q : forall k, k = 1 \/ k = -1 -> k * (integral f t - integral g t) - D / l * exp (l * t) <= 0).
-  { intros k Hk. apply Rle_trans with (k * (integral f 0 - integral g 0) - D / l * exp (l * 0)).
+  apply abs_by. intros k Hk. assert (Q : k * (integral f t - integral g t) - D / l * exp (l * t) <= 0).
+  { apply Rle_trans with (k * (integral f 0 - integral g 0) - D / l * exp (l * 0)).
     2: { rewrite !integral_0, Rmult_0_r, exp_0. lra. }
     apply (rderiv_mono (fun u => k * (integral f u - integral g u) - D / l * exp (l * u)) 0 t (fun u => k * (f u -
       g u) - D * exp (l * u))); [|lra|].
@@ -205,7 +192,7 @@ Proof.
       + apply rderiv_minus; [apply rderiv_scal, rderiv_minus; apply integral_rderiv; auto; lra|].
         apply rderiv_of_derive, RE.
       + pose proof (B u ltac:(lra)) as W. apply Rabs_inv in W. destruct Hk; subst k; lra. }
-  pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)). apply Rabs_le; lra.
+  lra.
 Qed.
 
 (** powers of 1/2 become small *)
@@ -220,7 +207,7 @@ Qed.
 Lemma cont_bounded f t : cont f -> 0 <= t -> exists B, forall u, 0 <= u <= t -> Rabs (f u) <= B.
 Proof.
   intros C Ht. set (g := fun u => Rabs (f (Rmax 0 u))). assert (CG : forall u, 0 <= u <= t -> continuity_pt g u).
-  { intros u _. apply continuity_pt_filterlim. apply (max_continuous (fun u => Rabs (f u))). apply cont_abs; auto. }
+  { intros u _. apply continuity_pt_filterlim. apply (proj1 (cont_iff _) (cont_abs f C)). }
   destruct (continuity_ab_maj g 0 t Ht CG) as (m & Hm & _). exists (g m). intros u Hu. specialize (Hm u Hu).
   unfold g in Hm at 1. rewrite Rmax_right in Hm by lra. auto.
 Qed.
@@ -237,7 +224,8 @@ Proof.
   assert (Up : forall j, a j - r j <= a (S j) - r (S j)) by (intros j; destruct (Half j) as (-> & Q); lra).
   assert (Down : forall j, a (S j) + r (S j) <= a j + r j) by (intros j; destruct (Half j) as (-> & Q); lra).
   destruct (ex_lim_seq_adj (fun j => a j - r j) (fun j => a j + r j) Up Down) as ((l & Hl) & (k & Hk) & _).
-  { apply is_lim_seq_ext with (fun j => r j + r j); [intros; ring|]. rewrite <- (Rplus_0_r 0). apply is_lim_seq_plus'; auto. }
+  { apply is_lim_seq_ext with (fun j => r j + r j); [intros; ring|]. rewrite <- (Rplus_0_r 0).
+    apply is_lim_seq_plus'; auto. }
   assert (La : is_lim_seq a l).
   { apply is_lim_seq_ext with (fun j => (a j - r j) + r j); [intros; ring|]. rewrite <- (Rplus_0_r l).
     apply is_lim_seq_plus'; auto. }
@@ -265,9 +253,8 @@ Proof.
   destruct (cont_bounded (iterate 1 false) T (iterate_cont 1 false) HT) as (B2 & H2).
   pose proof (H1 0 ltac:(lra)). pose proof (Rabs_pos (iterate 1 true 0)). pose proof (H2 0 ltac:(lra)).
   pose proof (Rabs_pos (iterate 1 false 0)). exists (1 + B1 + B2). split; [lra|]. induction n as [|n IH]; intros i t Ht.
-  - rewrite pow_O, Rmult_1_r. change (iterate 0 i t) with 0. rewrite Rminus_0_r. pose proof (exp_ineq1_le (lam * t)).
-    assert (0 <= lam * t) by positive. assert (Rabs (iterate 1 i t) <= 1 + B1 + B2); [|nra].
-    destruct i; [specialize (H1 t Ht)|specialize (H2 t Ht)]; lra.
+  - rewrite Rminus_0_r. pose proof (exp_ineq1_le (lam * t)). assert (0 <= lam * t) by positive.
+    assert (Rabs (iterate 1 i t) <= 1 + B1 + B2); [|nra]. destruct i; [specialize (H1 t Ht)|specialize (H2 t Ht)]; lra.
   - replace ((1 + B1 + B2) * (/ 2) ^ S n) with ((1 + B1 + B2) * (/ 2) ^ n / 2) by (simpl; field).
     apply (Half (iterate (S n)) (iterate n) _ T); auto using iterate_cont. apply Rmult_le_pos; [lra|apply pow_le; lra].
 Qed.
@@ -282,15 +269,15 @@ Proof.
 Qed.
 Let limit_cont i : cont (limit i).
 Proof.
-  intros t Ht e He. pose proof (exp_pos (lam * (t + 1))) as Ep. destruct (limit_near (t + 1) ltac:(lra)) as (C & CT & Near).
+  intros t Ht e He. pose proof (exp_pos (lam * (t + 1))) as Ep.
+  destruct (limit_near (t + 1) ltac:(lra)) as (C & CT & Near).
   destruct (small (C * exp (lam * (t + 1))) (e / 3)) as (n & Hn); [nra|lra|].
   destruct (iterate_cont n i t Ht (e / 3)) as (d & Hd & Kd); [lra|]. smaller d 1. intros u Hu Hd1.
   assert (B : forall r, 0 <= r <= t + 1 -> Rabs (limit i r - iterate n i r) < e / 3).
   { intros r Hr. eapply Rle_lt_trans; [apply Near; lra|]. eapply Rle_lt_trans; [|exact Hn].
     replace (C * exp (lam * (t + 1)) * (/ 2) ^ n) with (C * (/ 2) ^ n * exp (lam * (t + 1))) by ring.
     apply Rmult_le_compat_l; [pose proof (pow_le (/ 2) n ltac:(lra)); nra|].
-    destruct (Req_dec (lam * r) (lam * (t + 1))) as [->|N]; [lra|]. apply Rlt_le, exp_increasing.
-    assert (lam * r <= lam * (t + 1)) by scale. lra. }
+    destruct (Req_dec (lam * r) (lam * (t + 1))) as [->|N]; [lra|]. apply Rlt_le, exp_increasing. nra. }
   assert (Q : Rabs (u - t) < 1) by lra. apply Rabs_def2 in Q.
   pose proof (B u ltac:(lra)) as B1. pose proof (B t ltac:(lra)) as B2. specialize (Kd u Hu ltac:(lra)).
   apply Rabs_def2 in B1. apply Rabs_def2 in B2. apply Rabs_def2 in Kd. apply Rabs_def1; lra.
@@ -299,15 +286,15 @@ Qed.
 Theorem fixed_point : exists f, (forall i, cont (f i)) /\ forall i t, 0 <= t -> next f i t = f i t.
 Proof.
   exists limit. split; [exact limit_cont|]. intros i t Ht. apply Rminus_diag_uniq.
-  destruct (Req_dec (next limit i t - limit i t) 0) as [|N]; auto. exfalso.
-  apply Rabs_pos_lt in N. pose proof (exp_pos (lam * t)). destruct (limit_near t Ht) as (C & CT & Near).
+  destruct (Req_dec (next limit i t - limit i t) 0) as [|N]; auto. apply Rabs_pos_lt in N.
+  pose proof (exp_pos (lam * t)). destruct (limit_near t Ht) as (C & CT & Near).
   destruct (small (C * exp (lam * t)) (Rabs (next limit i t - limit i t)) ltac:(nra) N) as (n & Hn).
   assert (A : Rabs (next limit i t - iterate (S n) i t) <= C * (/ 2) ^ n / 2 * exp (lam * t)).
   { apply (Half limit (iterate n) _ t); auto using iterate_cont; [|lra].
     pose proof (pow_le (/ 2) n ltac:(lra)). nra. }
   pose proof (Near (S n) i t ltac:(lra)) as Q. simpl pow in Q.
-  replace (next limit i t - limit i t) with ((next limit i t - iterate (S n) i t) - (limit i t - iterate (S n) i t)) in Hn by ring.
-  pose proof (Rabs_triang (next limit i t - iterate (S n) i t) (- (limit i t - iterate (S n) i t))) as T.
+  replace (next limit i t - limit i t) with ((next limit i t - iterate (S n) i t) - (limit i t - iterate (S n) i t)) in
+    Hn by ring. pose proof (Rabs_triang (next limit i t - iterate (S n) i t) (- (limit i t - iterate (S n) i t))) as T.
   rewrite Rabs_Ropp in T. unfold Rminus at 1 in Hn. lra.
 Qed.
 End Fixed.

@@ -95,7 +95,7 @@ Proof.
     apply Rlt_le, Rinv_0_lt_compat; nra. }
   apply Fstar_load. set (R := F / sqrt Z).
     assert (HR : 0 < R) by positive.
-  destruct (polar cB cA R om 0 HR Hom) as (t & Ht & C & S). { rewrite Rplus_comm. apply amplitude. }
+  destruct (polar cB cA R om 0 HR Hom) as (t & (Ht & _) & C & S). { rewrite Rplus_comm. apply amplitude. }
   assert (X : rX t = R). { unfold rX. rewrite <- C, <- S. pose proof (sin2_cos2 (om * t)) as Q. unfold Rsqr in Q.
     replace (R * sin (om * t) * sin (om * t) + R * cos (om * t) * cos (om * t)) with (R * (sin (om * t) * sin (om
       * t) + cos (om * t) * cos (om * t))) by ring.

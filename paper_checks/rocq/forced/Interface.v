@@ -176,18 +176,6 @@ Proof.
   assert (0 <= a1 * (v1 u - v1' u) ^ 2) by positive. lra.
 Qed.
 
-(** what grows at most in proportion *)
-Lemma in_proportion y k t : 0 <= k -> 0 <= t -> cont y -> (forall u, 0 <= y u) -> (forall u, 0 <= u -> dini_le y u (k * y u)) ->
-  y t <= exp (k * t) * y 0.
-Proof.
-  intros Hk Ht C P G. pose proof (exp_pos (k * t)) as Ep. apply le_epsilon. intros e He.
-  assert (He' : 0 < e / exp (k * t)) by positive. set (q := e / exp (k * t)) in *.
-  assert (Q : y t + q <= exp (k * t) * (y 0 + q)).
-  { apply (log_dini (fun u => y u + q) q k t); auto; [intros u; specialize (P u); cbv beta; lra|continuous|].
-    intros u Hu.
-    eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ (G u Hu) (rderiv_const q u))]. nra. }
-  replace (exp (k * t) * (y 0 + q)) with (exp (k * t) * y 0 + e) in Q by (unfold q; field; lra). lra.
-Qed.
 (** a product by two squares *)
 Lemma product_below p q a k P : 0 < a -> 0 < k -> q ^ 2 <= k * P -> Rabs p * Rabs q <= sqrt (k / a) * (a * p ^ 2 + P).
 Proof.
@@ -244,7 +232,7 @@ Theorem growth_by_place t : 0 <= t -> (forall t, 0 <= t -> Rabs (b t - b' t) <= 
   sqrt (N2 t) <= exp (l * sqrt ((m1 + m2) / (m1 * m2 * a2)) * t) * sqrt (N2 0).
 Proof.
   intros Ht K. set (r := sqrt ((m1 + m2) / (m1 * m2 * a2))). apply root_growth; auto.
-  apply in_proportion; auto; [positive|]. intros u Hu. rewrite !Rmult_assoc. apply N2_dini; auto.
+  apply in_proportion; auto. intros u Hu. rewrite !Rmult_assoc. apply N2_dini; auto.
   eapply Rle_trans; [apply (by_slopes u _ (Rmult_le_pos _ _ Hl (Rabs_pos (x u - x' u))) (K u Hu))|].
   rewrite Rmult_assoc. apply Rmult_le_compat_l; auto.
   pose proof (product_below (x u - x' u) _ a2 kap _ Ha2 kap_pos (gap u)) as Q.
@@ -258,7 +246,7 @@ Theorem growth_by_speed t : 0 <= t -> (forall t, 0 <= t ->
   sqrt (N2 t) <= exp (l * (m1 + m2) / (m1 * m2) * t) * sqrt (N2 0).
 Proof.
   intros Ht K. replace (l * (m1 + m2) / (m1 * m2)) with (l * kap) by (unfold kap, M; field; lra).
-  apply root_growth; auto. apply in_proportion; auto; [positive|]. intros u Hu. rewrite !Rmult_assoc.
+  apply root_growth; auto. apply in_proportion; auto. intros u Hu. rewrite !Rmult_assoc.
   apply N2_dini; auto. apply Rle_trans with (l * (Rabs (w u) - Rabs (w' u)) ^ 2); [specialize (K u Hu); lra|].
   apply Rmult_le_compat_l; auto. pose proof (apart u) as A. rewrite <- (pow2_abs (Rabs (w u) - Rabs (w' u))).
   pose proof (Rabs_pos (Rabs (w u) - Rabs (w' u))). pose proof (gap u) as G. rewrite <- (pow2_abs (w u - w' u)) in G.
@@ -275,10 +263,8 @@ Theorem growth_by_state z z' t : cont z -> cont z' -> (forall t, 0 <= t -> rderi
   N2 t + (z t - z' t) ^ 2 <= exp (2 * (l * sqrt (kap / a2) + (l + 1) * sqrt kap + l * kap) * t) * (N2 0 + (z 0 - z' 0) ^ 2).
 Proof.
   intros Cz Cz' Dz Dz' Ht K. set (ra := sqrt (kap / a2)). set (r := sqrt kap). assert (Sa : 0 <= ra) by apply sqrt_pos.
-  apply (in_proportion (fun u => N2 u + (z u - z' u) ^ 2)); auto; [|apply cont_plus; auto| |].
-  { positive. }
+  apply (in_proportion (fun u => N2 u + (z u - z' u) ^ 2)); auto.
   { continuous. }
-  { intros u. pose proof (N2_pos u). positive. }
   intros u Hu. set (p := z u - z' u). set (q := w u - w' u). set (o := x u - x' u). pose proof (apart u) as Ap.
   fold q in Ap. pose proof (gap u) as G. fold q o in G. pose proof (pow2_ge_0 p).
   assert (Sum : 0 <= l * (Rabs o + Rabs p + Rabs q)) by positive.

@@ -57,14 +57,15 @@ Proof.
   intros Ht0 Hd0 DU Eq A Meet Hk Flat. set (p := beyond m1 m2 a1 a2 b g x v1 t0 k) in *.
   destruct (derivatives p t0 (analytic_beyond m1 m2 a1 a2 b g x v1 t0 k Hm2 A)) as (P & d1 & C & K & Hd1 & HC & HK &
     P0 & Pd & DP).
-  assert (In : forall h, 0 <= h < d1 -> Rabs (t0 + h - t0) < d1) by (intros h Hh; rewrite Rabs_pos_eq; lra).
+  assert (In : forall h, Rabs h < d1 -> Rabs (t0 + h - t0) < d1).
+  { intros h. replace (t0 + h - t0) with h by ring. auto. }
   assert (K2 : 0 < / (2 * K)) by positive.
   set (d := Rmin (Rmin d0 d1) (/ (2 * K))). pose proof (Rmin_l (Rmin d0 d1) (/ (2 * K))).
   pose proof (Rmin_r (Rmin d0 d1) (/ (2 * K))).
   pose proof (Rmin_l d0 d1). pose proof (Rmin_r d0 d1). fold d in H0, H1. assert (Hd : 0 < d) by positive.
   (* so the force asks just b for a while *)
   assert (Zero : forall t, t0 <= t < t0 + d -> p t = 0).
-  { intros t Ht. rewrite <- P0 by (replace t with (t0 + (t - t0)) by ring; apply In; lra).
+  { intros t Ht. rewrite <- P0 by (rewrite Rabs_pos_eq; lra).
     replace t with (t0 + (t - t0)) by ring. apply (flat (fun i h => P i (t0 + h)) d1) with (C := C) (K := K); auto;
       try lra.
     - intros i h Hh. destruct (DP i _ (In h Hh)) as (D & _). replace (P (S i) (t0 + h)) with (scal 1 (P (S i) (t0 +

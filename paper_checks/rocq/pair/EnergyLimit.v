@@ -8,45 +8,29 @@ Proof.
   pose proof (Rmax_r 0 (y / d)). replace y with (y / d * d) by (field; lra). scale.
 Qed.
 
-(** polar coordinates, at a time as late as one likes *)
+(** polar coordinates, at a time within one turn: the angle is measured from that at t0 *)
 Lemma polar A B R om t0 : 0 < R -> 0 < om -> A ^ 2 + B ^ 2 = R ^ 2 ->
-  exists t, t0 <= t /\ R * cos (om * t) = A /\ R * sin (om * t) = B.
-Proof.
-  intros HR Hom E. assert (Hq : -1 <= A / R <= 1).
-  { assert (- R <= A <= R) by (pose proof (pow2_ge_0 B); split; nra).
-    split; apply Rmult_le_reg_r with R; auto; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
-  assert (S2 : (R * sin (acos (A / R))) ^ 2 = B ^ 2).
-  { rewrite sin_acos by auto. rewrite Rpow_mult_distr. unfold Rsqr. rewrite <- Rsqr_pow2 with (x := sqrt _).
-    rewrite Rsqr_sqrt.
-    - replace (B ^ 2) with (R ^ 2 - A ^ 2) by lra. field; lra.
-    - nra. }
-  assert (exists phi, R * cos phi = A /\ R * sin phi = B) as (phi & C & S).
-  { assert (Cp : R * cos (acos (A / R)) = A) by (rewrite cos_acos by auto; field; lra).
-    assert (D : R * sin (acos (A / R)) = B \/ R * sin (acos (A / R)) = - B).
-    { assert (M : (R * sin (acos (A / R)) - B) * (R * sin (acos (A / R)) + B) = 0) by nra.
-      apply Rmult_integral in M. lra. }
-    destruct D as [D|D]; [exists (acos (A / R))|exists (- acos (A / R))]; [auto|]. rewrite cos_neg, sin_neg.
-      split; lra. }
-  pose proof PI_RGT_0. destruct (nat_above (om * t0 - phi) (2 * PI)) as (k & Hk); [lra|].
-  exists ((phi + 2 * INR k * PI) / om).
-  replace (om * ((phi + 2 * INR k * PI) / om)) with (phi + 2 * INR k * PI) by (field; lra).
-  rewrite cos_period, sin_period. repeat split; auto. undivide om. lra.
-Qed.
-
-(** and within one turn *)
-Lemma polar_soon A B R om t0 : 0 < R -> 0 < om -> A ^ 2 + B ^ 2 = R ^ 2 ->
   exists t, t0 <= t <= t0 + 2 * PI / om /\ R * cos (om * t) = A /\ R * sin (om * t) = B.
 Proof.
-  intros HR Hom E. destruct (polar A B R om t0 HR Hom E) as (t & Ht & C & S). pose proof PI_RGT_0 as P.
-  assert (P1 : 0 < 2 * PI / om) by positive.
-    destruct (nfloor_ex ((t - t0) / (2 * PI / om))) as (n & N1 & N2).
-  { positive. }
-  apply Rmult_le_compat_r with (r := 2 * PI / om) in N1; [|lra].
-    apply Rmult_lt_compat_r with (r := 2 * PI / om) in N2; auto.
-  replace ((t - t0) / (2 * PI / om) * (2 * PI / om)) with (t - t0) in * by (field; lra).
-  exists (t - INR n * (2 * PI / om)). split; [lra|].
-  replace (om * t) with (om * (t - INR n * (2 * PI / om)) + 2 * INR n * PI) in C, S by (field; lra).
-  rewrite cos_period in C. rewrite sin_period in S. auto.
+  intros HR Hom E. pose proof (sin2_cos2 (om * t0)) as SC. unfold Rsqr in SC. set (c := cos (om * t0)) in *.
+  set (s := sin (om * t0)) in *. set (A' := A * c + B * s). set (B' := B * c - A * s).
+  assert (E' : A' ^ 2 + B' ^ 2 = R ^ 2).
+  { replace (A' ^ 2 + B' ^ 2) with ((A ^ 2 + B ^ 2) * (s * s + c * c)) by (unfold A', B'; ring). rewrite SC, E. ring. }
+  assert (Hq : -1 <= A' / R <= 1).
+  { assert (- R <= A' <= R) by (apply sq_le_abs; [lra|pose proof (pow2_ge_0 B'); lra]). split; undivide R; lra. }
+  pose proof (acos_bound (A' / R)) as Hp. set (p := acos (A' / R)) in *. pose proof (sin2_cos2 p) as SCp.
+  assert (Cp : R * cos p = A') by (unfold p; rewrite cos_acos by auto; field; lra). assert (Sp : R * sin p = Rabs B').
+  { apply Rsqr_inj; [|apply Rabs_pos|].
+    - apply Rmult_le_pos; [lra|apply sin_ge_0; lra].
+    - rewrite <- Rsqr_abs. unfold Rsqr in *. nra. }
+  assert (exists q, 0 <= q <= 2 * PI /\ R * cos q = A' /\ R * sin q = B') as (q & Hq' & C & S).
+  { destruct (Rle_dec 0 B'); [exists p; rewrite Rabs_pos_eq in Sp by lra; lra|]. rewrite Rabs_left in Sp by lra.
+    exists (2 * PI - p). rewrite cos_minus, sin_minus, cos_2PI, sin_2PI. lra. }
+  exists (t0 + q / om). assert (0 <= q / om <= 2 * PI / om) by (split; [positive|undivide om; field_simplify; lra]).
+  split; [lra|]. replace (om * (t0 + q / om)) with (om * t0 + q) by (field; lra). rewrite cos_plus, sin_plus. fold c s.
+  split; [transitivity (c * (R * cos q) - s * (R * sin q))|transitivity (s * (R * cos q) + c * (R * sin q))]; try ring;
+    rewrite C, S; [transitivity (A * (s * s + c * c))|transitivity (B * (s * s + c * c))]; try (unfold A', B'; ring);
+    rewrite SC; ring.
 Qed.
 
 (** cos z >= 1 - z^2/2 *)
@@ -54,8 +38,8 @@ Lemma cos_below z : 0 <= z <= 1 -> 1 - z ^ 2 / 2 <= cos z.
 Proof.
   intros Hz. replace z with (2 * (z / 2)) at 2 by field. rewrite cos_2a_sin.
   destruct (Req_dec z 0) as [->|N]. { replace (0 / 2) with 0 by field. rewrite sin_0. lra. }
-  assert (sin (z / 2) < z / 2) by (apply sin_lt_x; lra). assert (0 <= sin (z / 2)). { pose proof PI2_1.
-  apply sin_ge_0; lra. } nra.
+  assert (sin (z / 2) < z / 2) by (apply sin_lt_x; lra). assert (0 <= sin (z / 2)).
+  { pose proof PI2_1. apply sin_ge_0; lra. } nra.
 Qed.
 
 Section Limit.
@@ -122,32 +106,25 @@ Lemma outside_costs r tau g : 0 <= r -> 0 < tau -> 0 < g -> (forall u, r <= u < 
   b * (a2 / m1 * g) * tau ^ 2 / 8 <= E r - E (r + tau).
 Proof.
   intros Hr Ht Hg Hx. set (c := a2 / m1 * g). set (m := r + tau / 2).
-  pose proof (E_mono r m ltac:(unfold m; lra)) as M1. pose proof (E_mono m (r + tau) ltac:(unfold m; lra)) as M2.
-  assert (CQ : forall k, cont (fun u => k * (u - m) ^ 2)).
-  { intros k. apply cont_of_derive with (fun u => k * (2 * (u - m))). intros u; auto_derive; auto. ring. }
-  assert (RQ : forall k u, rderiv (fun u => k * (u - m) ^ 2) u (k * (2 * (u - m)))).
-  { intros k u. apply rderiv_of_derive. auto_derive; auto. ring. }
+  assert (Fall : forall p q, r <= p <= q -> q <= r + tau -> w q - w p <= - c * (q - p)).
+  { intros p q Hp Hq. apply w_falls; [lra|]. intros u Hu. apply Hx. lra. }
+  assert (Pay : forall k p q, r <= p <= q -> (forall u, p <= u < q -> k * c * (u - m) <= Rabs (w u)) ->
+    E q + k * (b * c / 2) * (q - m) ^ 2 <= E p + k * (b * c / 2) * (p - m) ^ 2).
+  { intros k p q Hp Big. set (f := fun u => k * (b * c / 2) * (u - m) ^ 2).
+    assert (Df : forall u, is_derive f u (k * b * c * (u - m))) by (intros u; unfold f; auto_derive; auto; field).
+    apply (rderiv_mono (fun u => E u + f u) p q (fun u => - b * Rabs (w u) + k * b * c * (u - m))); [|lra|].
+    - apply cont_plus; [apply cont_En|eapply cont_of_derive, Df].
+    - intros u Hu. split; [apply rderiv_plus; [apply E_rate; lra|apply rderiv_of_derive, Df]|]. specialize (Big u Hu).
+      nra. }
+  pose proof (E_mono r m ltac:(unfold m; lra)). pose proof (E_mono m (r + tau) ltac:(unfold m; lra)).
   destruct (Rle_dec (w m) 0) as [W|W].
-  - assert (Q : E (r + tau) + b * c / 2 * (r + tau - m) ^ 2 <= E m + b * c / 2 * (m - m) ^ 2).
-    { apply (rderiv_mono (fun u => E u + b * c / 2 * (u - m) ^ 2) m (r + tau) (fun u => - b * Rabs (w u) + b * c /
-      2 * (2 * (u - m)))).
-      - apply cont_plus; auto using cont_En.
-      - unfold m; lra.
-      - intros u Hu. split. { apply rderiv_plus; auto. apply E_rate; unfold m in Hu; lra. }
-        assert (F : w u - w m <= - c * (u - m)). { apply w_falls; [unfold m in *; lra|].
-          intros z Hz; apply Hx; unfold m in *; lra. }
-        assert (c * (u - m) <= Rabs (w u)) by (unfold Rabs; destruct Rcase_abs; nra). nra. }
-    replace (r + tau - m) with (tau / 2) in Q by (unfold m; field). lra.
-  - assert (Q : E m + - (b * c / 2) * (m - m) ^ 2 <= E r + - (b * c / 2) * (r - m) ^ 2).
-    { apply (rderiv_mono (fun u => E u + - (b * c / 2) * (u - m) ^ 2) r m (fun u => - b * Rabs (w u) + - (b * c /
-      2) * (2 * (u - m)))).
-      - apply cont_plus; auto using cont_En.
-      - unfold m; lra.
-      - intros u Hu. split. { apply rderiv_plus; auto. apply E_rate; unfold m in Hu; lra. }
-        assert (F : w m - w u <= - c * (m - u)). { apply w_falls; [unfold m in *; lra|].
-          intros z Hz; apply Hx; unfold m in *; lra. }
-        assert (c * (m - u) <= Rabs (w u)) by (unfold Rabs; destruct Rcase_abs; nra). nra. }
-    replace (r - m) with (- (tau / 2)) in Q by (unfold m; field). lra.
+  - pose proof (Pay 1 m (r + tau) ltac:(unfold m; lra)) as Q. cut (E (r + tau) + 1 * (b * c / 2) * (r + tau - m) ^ 2 <=
+      E m + 1 * (b * c / 2) * (m - m) ^ 2); [unfold m in *; lra|]. apply Q. intros u Hu.
+    pose proof (Fall m u ltac:(unfold m in *; lra) ltac:(lra)). pose proof (Rle_abs (- w u)) as A.
+    rewrite Rabs_Ropp in A. lra.
+  - pose proof (Pay (-1) r m ltac:(unfold m; lra)) as Q. cut (E m + -1 * (b * c / 2) * (m - m) ^ 2 <=
+      E r + -1 * (b * c / 2) * (r - m) ^ 2); [unfold m in *; lra|]. apply Q. intros u Hu.
+    pose proof (Fall u m ltac:(lra) ltac:(unfold m; lra)). pose proof (Rle_abs (w u)). lra.
 Qed.
 
 (** E has a limit *)
@@ -169,17 +146,14 @@ Definition spell e l := 2 * sqrt (2 * e * m2) / b + 2 * PI / omega m1 m2 a2 + ou
 
 Lemma room_pos l : Ecr m1 m2 a2 b < l -> 0 < room l.
 Proof.
-  intros Hl. pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP.
-  set (LL := L m1 m2 a2 b) in *. unfold room. fold LL. set (R0 := sqrt (2 * l / a2)).
-  assert (R0sq : R0 * R0 = 2 * l / a2). { apply sqrt_sqrt. apply Rlt_le, Rdiv_lt_0_compat; auto. nra. }
-  assert (0 <= R0) by apply sqrt_pos. assert (LL ^ 2 < R0 * R0); [|assert (LL < R0) by nra; lra].
-  rewrite R0sq. apply Rmult_lt_reg_r with a2; auto. unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. nra.
+  intros Hl. rewrite Ecr_L in Hl by auto. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb). unfold room.
+  set (l0 := L m1 m2 a2 b) in *. assert (l0 < sqrt (2 * l / a2)); [|lra]. rewrite <- (sqrt_pow2 l0) by lra.
+  apply sqrt_lt_1_alt. split; [positive|]. undivide a2. lra.
 Qed.
 Lemma outing_pos l : Ecr m1 m2 a2 b < l -> 0 < outing l.
 Proof.
   intros Hl. pose proof (room_pos l Hl) as G. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP.
-    apply Rdiv_lt_0_compat; auto.
-  apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; [lra|]. unfold room in G. lra.
+  apply Rdiv_lt_0_compat; auto. apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; [lra|]. unfold room in G. lra.
 Qed.
 Lemma toll_pos l : Ecr m1 m2 a2 b < l -> 0 < toll l.
 Proof.
@@ -202,11 +176,10 @@ Proof.
   set (d := toll l) in *. set (tau := outing l) in *. set (e0 := b * (a2 / m1 * room l) * tau ^ 2 / 8).
   assert (Hd1 : d <= e0 / 2) by apply Rmin_l. assert (Hd2 : d <= room l / (2 * kap)) by apply Rmin_r.
   set (g := room l) in *. set (R0 := sqrt (2 * l / a2)). set (LL := L m1 m2 a2 b) in *.
-  assert (Eg : R0 = LL + 4 * g) by (unfold g, room; fold LL R0; field). assert (R0sq : R0 * R0 = 2 * l / a2).
-  { apply sqrt_sqrt. apply Rlt_le, Rdiv_lt_0_compat; auto. pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. nra. }
+  assert (Eg : R0 = LL + 4 * g) by (unfold g, room; fold LL R0; field).
   set (z := Rmin 1 (2 * g / R0)). assert (Ez : tau = z / om) by reflexivity. assert (Hz1 : z <= 1) by apply Rmin_l.
-  assert (Hz2 : z <= 2 * g / R0) by apply Rmin_r. assert (Hz3 : R0 * z <= 2 * g). {
-  replace (2 * g) with (R0 * (2 * g / R0)) by (field; lra). apply Rmult_le_compat_l; lra. }
+  assert (Hz2 : z <= 2 * g / R0) by apply Rmin_r. assert (Hz3 : R0 * z <= 2 * g).
+  { replace (2 * g) with (R0 * (2 * g / R0)) by (field; lra). apply Rmult_le_compat_l; lra. }
   assert (Hd3 : kap * d <= g / 2). { replace (g / 2) with (kap * (g / (2 * kap))) by (field; lra).
     apply Rmult_le_compat_l; lra. }
   destruct (contact m1 m2 0 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s T H HT) as (tc & Htc & Ev).
@@ -214,19 +187,16 @@ Proof.
   assert (Wc : w tc = 0) by (unfold w; lra). pose proof PI_RGT_0 as P0. assert (P1 : 0 < 2 * PI / om) by positive.
   assert (TW : tc + 2 * PI / om + tau <= T + W).
   { unfold W, spell. fold tau om. assert (2 * sqrt (2 * E T * m2) / b <= 2 * sqrt (2 * e * m2) / b); [|lra].
-    apply Rmult_le_compat_r; [positive|]. apply Rmult_le_compat_l; [lra|].
-      apply sqrt_le_1_alt. nra. }
+    apply Rmult_le_compat_r; [positive|]. apply Rmult_le_compat_l; [lra|]. apply sqrt_le_1_alt. nra. }
   assert (High : forall u, T <= u <= T + W -> l <= E u /\ E T - d < E u <= E T).
   { intros u Hu. pose proof (E_mono u (T + W) ltac:(lra)). pose proof (E_mono T u ltac:(lra)). lra. }
   pose proof (energy_turned m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2 tc) as EAB. cbv beta in EAB. fold (E tc) (w tc) turned in EAB.
   rewrite Wc in EAB. pose proof (fun phi => turned_phase m1 m2 a2 x v1 v2 phi tc : turned phi tc = _) as Phase.
-  fold turned in Phase. set (A := turned 0 tc) in *. set (B := turned (- (PI / 2)) tc) in *. set (R := sqrt (A ^ 2 + B ^ 2)).
-  assert (Rsq : R * R = A ^ 2 + B ^ 2). { apply sqrt_sqrt. pose proof (pow2_ge_0 A). pose proof (pow2_ge_0 B). lra. }
-  assert (HR : R0 <= R).
-  { assert (0 <= R) by apply sqrt_pos. assert (R0 * R0 <= R * R); [|nra]. rewrite R0sq.
-    apply Rmult_le_reg_r with a2; auto.
-    unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. destruct (High tc ltac:(lra)). nra. }
-  destruct (polar_soon A B R om tc) as (ts & Hts & Cs & Ss); auto; try lra.
+  fold turned in Phase. set (A := turned 0 tc) in *. set (B := turned (- (PI / 2)) tc) in *.
+  set (R := sqrt (A ^ 2 + B ^ 2)).
+  assert (Rsq : A ^ 2 + B ^ 2 = R ^ 2) by (symmetry; apply pow2_sqrt; positive).
+  assert (HR : R0 <= R) by (apply sqrt_le_1_alt; undivide a2; destruct (High tc ltac:(lra)); lra).
+  destruct (polar A B R om tc) as (ts & Hts & Cs & Ss); auto; [lra|].
   assert (Out : forall u, ts <= u < ts + tau -> LL + g <= x u).
   { intros u Hu. pose proof (paid (- (om * u)) tc u ltac:(lra)) as Qu.
     replace (turned (- (om * u)) u) with (x u) in Qu
@@ -256,8 +226,7 @@ Theorem limit_not_above l : (forall t, 0 <= t -> l <= E t) -> (forall e, 0 < e -
   l <= Ecr m1 m2 a2 b.
 Proof.
   intros Hl Hlim. apply Rnot_lt_le. intros N. pose proof (toll_pos l N) as D.
-    destruct (Hlim (toll l / 2)) as (T & HT & K); [lra|].
-  pose proof (spell_pos (E T) l N) as Sp.
+  destruct (Hlim (toll l / 2)) as (T & HT & K); [lra|]. pose proof (spell_pos (E T) l N) as Sp.
   pose proof (Hl (T + spell (E T) l) ltac:(lra)) as High. pose proof (toll_paid (E T) l T N HT (Rle_refl _) High).
   specialize (K T ltac:(lra)). lra.
 Qed.

@@ -9,43 +9,34 @@ Definition opposes (s : R -> R) (w t : R) := forall k, k = 1 \/ k = -1 -> 0 < k 
 (** s is at the time t the impulse of the set-valued sign of w *)
 Definition pushes (s : R -> R) (w t : R) := (forall h, 0 < h -> - h <= s (t + h) - s t <= h) /\ opposes s w t.
 
-(** if w' < w then s rises at least as fast as s': either w > 0 and s rises with slope 1, or w' < 0 and s' falls with
-  slope -1 *)
-Lemma friction_order s s' w w' t : pushes s w t -> pushes s' w' t -> w' < w ->
-  forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d -> - e * h <= (s (t + h) - s t) - (s' (t + h) - s' t).
-Proof.
-  intros (L & P) (L' & P') W e He. destruct (Rlt_dec 0 w) as [Pos|].
-  - destruct (P 1 (or_introl eq_refl) ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-    specialize (K h Hh). specialize (L' h ltac:(lra)). apply Rabs_inv in K. lra.
-  - destruct (P' (-1) (or_intror eq_refl) ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-    specialize (K h Hh). specialize (L h ltac:(lra)). apply Rabs_inv in K. lra.
-Qed.
-
-(** friction is monotone: the increments of two impulses against the relative velocities *)
-Lemma friction_monotone s s' w w' t : pushes s w t -> pushes s' w' t ->
-  forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
-  - e * h <= ((s (t + h) - s t) - (s' (t + h) - s' t)) * (w - w').
-Proof.
-  intros H H' e He. set (q := w - w'). pose proof (Rabs_pos q). assert (He1 : 0 < e / (Rabs q + 1)) by positive.
-  assert (Q : e / (Rabs q + 1) * Rabs q <= e).
-  { replace e with (e / (Rabs q + 1) * (Rabs q + 1)) at 2 by (field; lra). scale. }
-  destruct (Rtotal_order q 0) as [Lt|[Eq|Gt]].
-  - destruct (friction_order s' s w' w t H' H ltac:(unfold q in Lt; lra) _ He1) as (d & Hd & K). exists d; split; auto.
-    intros h Hh. specialize (K h Hh). rewrite Rabs_left in * by auto. nra.
-  - exists 1; split; [lra|]. intros h Hh. nra.
-  - destruct (friction_order s s' w w' t H H' ltac:(unfold q in Gt; lra) _ He1) as (d & Hd & K). exists d; split; auto.
-    intros h Hh. specialize (K h Hh). rewrite Rabs_pos_eq in * by lra. nra.
-Qed.
-
 (** the power of a friction of the strength b *)
 Lemma friction_power b F w t : (forall k, k = 1 \/ k = -1 -> 0 < k * w -> rderiv F t (k * b)) ->
   little (fun h => (F (t + h) - F t) * w - b * Rabs w * h).
 Proof.
-  intros P. destruct (Req_dec w 0) as [->|N].
+  intros P. assert (Q : forall k, k = 1 \/ k = -1 -> 0 < k * w -> Rabs w = k * w ->
+    little (fun h => (F (t + h) - F t) * w - b * Rabs w * h)).
+  { intros k Hk Kw ->. eapply little_ext; [|exact (little_scal w _ (P k Hk Kw))]. intros h; simpl. ring. }
+  destruct (Rtotal_order w 0) as [N|[->|N]].
+  - apply (Q (-1)); [auto|lra|rewrite Rabs_left; lra].
   - eapply little_ext; [|exact little_0]. intros h; simpl. rewrite Rabs_R0; ring.
-  - assert (K : exists k, (k = 1 \/ k = -1) /\ 0 < k * w /\ Rabs w = w * k).
-    { destruct (Rlt_dec w 0); [exists (-1); rewrite Rabs_left by lra|exists 1; rewrite Rabs_pos_eq by lra]; lra. }
-    destruct K as (k & Hk & Kw & ->). eapply little_ext; [|exact (little_scal w _ (P k Hk Kw))]. intros h; simpl. ring.
+  - apply (Q 1); [auto|lra|rewrite Rabs_pos_eq; lra].
+Qed.
+(** the same of an impulse of the sign *)
+Lemma opposes_power s w t : opposes s w t -> little (fun h => (s (t + h) - s t) * w - 1 * Rabs w * h).
+Proof. intros P. apply friction_power. intros k Hk W. rewrite Rmult_1_r. auto. Qed.
+
+(** friction is monotone: the increments of two impulses against the relative velocities; each supplies its own velocity
+    with all its power, and the other one with no more than that *)
+Lemma friction_monotone s s' w w' t : pushes s w t -> pushes s' w' t ->
+  forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
+  - e * h <= ((s (t + h) - s t) - (s' (t + h) - s' t)) * (w - w').
+Proof.
+  intros (L & P) (L' & P') e He.
+  destruct (little_plus _ _ (opposes_power s w t P) (opposes_power s' w' t P') e He) as (d & Hd & K).
+  exists d; split; auto. intros h Hh. specialize (K h Hh). apply Rabs_inv in K. cbv beta in K.
+  assert (B : forall y z, - h <= y <= h -> y * z <= Rabs z * h).
+  { intros y z Hy. unfold Rabs. destruct Rcase_abs; nra. }
+  pose proof (B _ w' (L h ltac:(lra))). pose proof (B _ w (L' h ltac:(lra))). lra.
 Qed.
 
 Section Pair.
@@ -178,14 +169,15 @@ Lemma moves_slip t u : 0 <= t -> rderiv U t u ->
 Proof.
   intros Ht HU. apply rderiv_ext with (fun r => / m1 * (m1 * v1 r + b * s r - U r + U r) - (v2 t - b / m2 * s t)).
   { intros r Hr. pose proof (moves_v2 t r Ht ltac:(lra)). replace (v2 r) with (v2 t + b / m2 * (s r - s t)) by lra.
-    field. lra. }
+    field; lra. }
   apply rderiv_eq with (/ m1 * (- (a2 * x t + a1 * v1 t) + u) - 0); [field; lra|].
   apply rderiv_minus; [|apply rderiv_const]. apply rderiv_scal, rderiv_plus; auto. apply (q_v1 _ _ _ _ _ _ H t Ht).
 Qed.
 Lemma moves_gap_big t u : 0 <= t -> rderiv U t u -> big (fun h => (v1 (t + h) - v2 (t + h)) - (v1 t - v2 t)).
 Proof.
-  intros Ht HU. eapply big_ext; [|exact (big_minus _ _ (rderiv_big _ _ _ (moves_slip t u Ht HU))
-    (big_scal (b * ((m1 + m2) / (m1 * m2))) _ (moves_big t Ht)))]. intros h. cbv beta. ring.
+  intros Ht HU.
+  eapply big_ext; [|exact (big_minus _ _ (rderiv_big _ _ _ (moves_slip t u Ht HU)) (big_scal (b * ((m1 + m2) / (m1 *
+    m2))) _ (moves_big t Ht)))]. intros h. lra.
 Qed.
 (** and with it, where its impulse has the right derivative l *)
 Lemma moves_rate t u l : 0 <= t -> rderiv U t u -> rderiv s t l -> rderiv (fun r => v1 r - v2 r) t
@@ -202,21 +194,24 @@ Lemma moves_impulse r t k : 0 <= r <= t -> k = 1 \/ k = -1 -> (forall u, r <= u 
   s t - s r = k * (t - r).
 Proof. intros Hr Hk O. apply rderiv_line; auto using moves_cs. intros u Hu. apply (q_slip _ _ _ _ _ _ H); auto; lra.
 Qed.
-(** while spring, damper and force ask at most b of friction in a direction no slip that way begins *)
-Lemma moves_behind r t k : 0 <= r <= t -> k = 1 \/ k = -1 -> k * (v1 r - v2 r) <= 0 -> (forall q, r <= q < t -> exists f,
-  dini_le (fun y => k * U y) q f /\ m2 * (f - k * (a2 * x q + a1 * v1 q)) <= b * (m1 + m2)) -> k * (v1 t - v2 t) <= 0.
+(** while spring, damper and force ask at most b of friction in a slip of one direction, none begins *)
+Lemma moves_behind r t k : 0 <= r <= t -> k = 1 \/ k = -1 -> k * (v1 r - v2 r) <= 0 ->
+  (forall q, r <= q < t -> 0 < k * (v1 q - v2 q) -> exists f, dini_le (fun y => k * U y) q f /\
+    m2 * (f - k * (a2 * x q + a1 * v1 q)) <= b * (m1 + m2)) -> k * (v1 t - v2 t) <= 0.
 Proof.
   intros Hr Hk W L. apply le_epsilon. intros e He. rewrite Rplus_0_l.
   apply (barrier_until (fun y => k * (v1 y - v2 y)) e r t); [|lra|lra|].
   { apply cont_scal, cont_minus; [apply (q_cv _ _ _ _ _ _ H)|apply moves_cv2]. }
-  intros q Hq Pos. destruct (L q Hq) as (f & Du & Lf). set (o := b * ((m1 + m2) / m2)).
+  intros q Hq Pos. destruct (L q Hq ltac:(lra)) as (f & Du & Lf). set (o := b * ((m1 + m2) / m2)).
   pose proof (dini_plus _ _ _ _ _ Du (rderiv_minus _ _ _ _ _ (rderiv_scal k _ _ _ (q_v1 _ _ _ _ _ _ H q ltac:(lra)))
     (rderiv_scal (o * k) _ _ _ (q_slip _ _ _ _ _ _ H q ltac:(lra) k Hk ltac:(lra))))) as D.
   assert (N : f + (k * - (a2 * x q + a1 * v1 q) - o * k * k) <= 0).
   { apply Rmult_le_reg_l with m2; auto. replace (o * k * k) with o by (destruct Hk; subst k; ring).
-    replace (m2 * (f + _)) with (m2 * (f - k * (a2 * x q + a1 * v1 q)) - b * (m1 + m2)) by (unfold o; field; lra). lra. }
-  intros g Hg. destruct (D (m1 * g)) as (d & Hd & K); [positive|]. exists d. split; auto. intros h Hh. specialize (K h Hh).
-  pose proof (moves_v2 q (q + h) ltac:(lra) ltac:(lra)) as V. cbv beta in K |- *. apply Rmult_le_reg_l with m1; auto.
+    replace (m2 * (f + _)) with (m2 * (f - k * (a2 * x q + a1 * v1 q)) - b * (m1 + m2)) by (unfold o; field; lra). lra.
+  }
+  intros g Hg. destruct (D (m1 * g)) as (d & Hd & K); [positive|]. exists d. split; auto. intros h Hh.
+  specialize (K h Hh). pose proof (moves_v2 q (q + h) ltac:(lra) ltac:(lra)) as V. cbv beta in K |- *.
+  apply Rmult_le_reg_l with m1; auto.
   match type of K with ?l <= _ => replace (m1 * _) with l at 1 by (replace (v2 (q + h)) with (v2 q + b / m2 *
     (s (q + h) - s q)) by lra; unfold o; field; lra) end. nra.
 Qed.
@@ -346,10 +341,9 @@ Qed.
 (** *** Contraction in the energy norm: under one force the distance never grows *)
 Lemma moves_contraction r t : (forall u, U u = U' u) -> 0 <= r <= t -> D t <= D r.
 Proof.
-  intros E Hr. apply dini_mono; auto using moves_cD. intros u Hu e He. assert (Z : rderiv (fun r => U r - U' r) u 0).
+  intros E Hr. apply dini_mono; auto using moves_cD. intros u Hu. assert (Z : rderiv (fun r => U r - U' r) u 0).
   { apply rderiv_ext with (fun _ => 0); [intros q _; rewrite E; ring|apply rderiv_const]. }
-  destruct (moves_D_dini u 0 ltac:(lra) Z e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-  specialize (K h Hh). assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h); [|lra]. apply Rmult_le_pos; [positive|lra].
+  apply dini_weaken with (2 := moves_D_dini u 0 ltac:(lra) Z). assert (0 <= a1 * (v1 u - v1' u) ^ 2) by positive. lra.
 Qed.
 End Two.
 

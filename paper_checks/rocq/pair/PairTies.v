@@ -12,18 +12,18 @@ Theorem tie_solution : forall m1 m2 a1 a2 b (x v1 v2 s : R -> R), solution m1 m2
    (forall t, 0 <= t -> rderiv (fun t => x t - 0 * s t) t (v1 t)) /\
    (forall t, 0 <= t -> rderiv (fun t => m1 * v1 t - ((-1) * b) * s t) t (((-1) * (v1 t) * a1) + ((-1) * (x t) * a2))) /\
    (forall t, 0 <= t -> m2 * v2 t - b * s t = m2 * v2 0 - b * s 0 + 0 * t)).
-Proof. intros; split.
-  - intros [L P N CX CV X V W]. split; [auto|]. split; [intros; apply P; lra|]. split; [intros; apply N; lra|].
-    split; [auto|]. split; [auto|]. split; [|split].
-    + intros t Ht. apply rderiv_ext with x; [intros; ring|auto].
-    + intros t Ht. eapply rderiv_ext; [|eapply rderiv_eq; [|exact (V t Ht)]]; [intros; cbv beta; ring|ring].
-    + intros t Ht. pose proof (W t Ht). lra.
-  - intros (L & P & N & CX & CV & X & V & W). constructor; auto.
-    + intros; apply P; lra.
-    + intros; apply N; lra.
-    + intros t Ht. eapply rderiv_ext; [|exact (X t Ht)]. intros; cbv beta; ring.
-    + intros t Ht. eapply rderiv_ext; [|eapply rderiv_eq; [|exact (V t Ht)]]; [intros; cbv beta; ring|ring].
-    + intros t Ht. pose proof (W t Ht). lra. Qed.
+Proof. assert (Re : forall f g t l k, (forall r, f r = g r) -> l = k -> rderiv f t l -> rderiv g t k).
+  { intros f g t l k E -> D. apply rderiv_ext with f; auto. }
+  intros; split.
+  - intros [L P N CX CV X V W]. repeat split; auto; intros t Ht; try (intros; apply P; lra); try (intros; apply N; lra).
+    + apply (Re x _ t (v1 t)); auto. intros; ring.
+    + eapply Re; [| |exact (V t Ht)]; [intros; cbv beta|]; ring.
+    + pose proof (W t Ht). lra.
+  - intros (L & P & N & CX & CV & X & V & W). constructor; auto; intros t Ht; try (intros; apply P; lra);
+      try (intros; apply N; lra).
+    + apply (Re _ x t (v1 t)) with (3 := X t Ht); auto. intros; ring.
+    + eapply Re; [| |exact (V t Ht)]; [intros; cbv beta|]; ring.
+    + pose proof (W t Ht). lra. Qed.
 
 (** [tie-energy] The energy. *)
 Theorem tie_energy : forall m1 m2 a2 x v1 v2 : R, energy m1 m2 a2 x v1 v2 = (((1 / 2) * a2 * (x ^ 2)) + ((1 / 2) * m1 * (v1 ^ 2)) + ((1 / 2) * m2 * (v2 ^ 2))).

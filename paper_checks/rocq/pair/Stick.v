@@ -15,8 +15,7 @@ Proof.
   assert (Dw : forall q, T <= q -> (forall u, T <= u < q -> 0 < w T * w u) -> q - T <= tau).
   { intros q Hq O. apply (free_dwell m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb c x v1 v2 s H); [lra|].
     destruct (Rlt_dec 0 (w T)); [left|right]; intros u Hu; specialize (O u Hu); unfold w in *; nra. }
-  assert (Ht : 0 <= tau) by (specialize (Dw T); apply Rle_trans with (T - T); [lra|apply Dw; [lra|intros; lra]]).
-  destruct (Req_dec (w T) 0) as [Z|N]; [exists T; unfold w in Z; lra|].
+  assert (Ht : 0 <= tau) by positive. destruct (Req_dec (w T) 0) as [Z|N]; [exists T; unfold w in Z; lra|].
   destruct (Classical_Prop.classic (exists q, T <= q <= T + tau + 1 /\ w T * w q <= 0)) as [(q & Hq & Nq)|No].
   - destruct (first_zero w T q) as (z & Hz & Z & O); auto; [|lra|].
     { apply cont_minus; [apply (q_cv _ _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H)]. }
@@ -27,7 +26,7 @@ Qed.
 (** [contact] Every solution meets $S$ in every time window of length $2\sqrt{2Em_2}/b$, so infinitely often. *)
 Theorem contact x v1 v2 s T : solution m1 m2 a1 a2 b x v1 v2 s -> 0 <= T ->
   exists t, T <= t <= T + 2 * sqrt (2 * energy m1 m2 a2 (x T) (v1 T) (v2 T) * m2) / b /\ v1 t = v2 t.
-Proof. intros H. apply solution_moves in H. exact (moves_contact 1 x v1 v2 s T H). Qed.
+Proof. intros H. exact (moves_contact 1 x v1 v2 s T H). Qed.
 End Contact.
 
 Section Stick.
@@ -75,8 +74,7 @@ Qed.
 (** up to E_cr it stays inside S0 *)
 Lemma on_surface_inside x v : energy m1 m2 a2 x v v <= Ecr -> - L <= x <= L.
 Proof.
-  rewrite Ecr_L. unfold energy. intros H. pose proof (pow2_ge_0 v). pose proof L_pos.
-  assert (x ^ 2 <= L ^ 2) by nra. split; nra.
+  rewrite Ecr_L. unfold energy. intros H. pose proof L_pos. assert (x ^ 2 <= L ^ 2) by nra. split; nra.
 Qed.
 
 (** [ellipse-solution] Every ellipse on $S$ with energy up to $E_{cr}$ is a solution: the stuck pair. *)
@@ -89,14 +87,14 @@ Proof.
   assert (CX : cont (X x0 v0)) by (eapply cont_of_derive; intros; apply derive_X).
   assert (CV : cont (V x0 v0)) by (eapply cont_of_derive; intros; apply derive_V).
   assert (Sl : forall t, -1 <= m2 / b * (- (omega * omega) * X x0 v0 t) <= 1).
-  { intros t. rewrite omega_sq. assert (In := on_surface_inside (X x0 v0 t) (V x0 v0 t)).
-    rewrite ellipse_energy in In. specialize (In HE). unfold L in In. set (k := m2 / b * (a2 / (m1 + m2))).
-      assert (0 < k) by (unfold k; apply Rmult_lt_0_compat; apply Rdiv_lt_0_compat; lra).
+  { intros t. rewrite omega_sq. assert (In := on_surface_inside (X x0 v0 t) (V x0 v0 t)). rewrite ellipse_energy in In.
+    specialize (In HE). unfold L in In. set (k := m2 / b * (a2 / (m1 + m2))). assert (0 < k) by positive.
     assert (k * (b * (m1 + m2) / (a2 * m2)) = 1) by (unfold k; field; lra).
     replace (m2 / b * (- (a2 / (m1 + m2)) * X x0 v0 t)) with (- (k * X x0 v0 t)) by (unfold k; ring). nra. }
   constructor; auto.
   - intros r t Hr. rewrite <- (Rmult_1_l (t - r)).
-    eapply (lip_between (fun t => m2 / b * V x0 v0 t)); [apply cont_scal, CV|auto|]. intros u _. split; [apply RS|apply Sl].
+    eapply (lip_between (fun t => m2 / b * V x0 v0 t)); [apply cont_scal, CV|auto|]. intros u _.
+    split; [apply RS|apply Sl].
   - intros; lra.
   - intros; lra.
   - intros; apply rderiv_of_derive, derive_X.
@@ -118,9 +116,7 @@ Proof.
   intros H Ht Ev HE u Hu. rewrite <- Ev in HE.
   pose proof (ellipse_solution _ _ HE) as HS. pose proof (solution_later m1 m2 0 a2 b x v1 v2 s t0 Ht H) as Sh.
   apply (unique m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb _ _ _ _ _ _ _ _ 0 Sh HS); try lra.
-  - unfold X. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0. ring.
-  - unfold V. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0. ring.
-  - unfold V. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0, <- Ev. ring.
+  all: unfold X, V; rewrite ?Rplus_0_r, Rmult_0_r, cos_0, sin_0, <- ?Ev; ring.
 Qed.
 
 (** [merging] Once its energy is at most $E_{cr}$, a solution merges with an ellipse within a bounded time. *)

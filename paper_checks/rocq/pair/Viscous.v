@@ -1,6 +1,6 @@
 (** Captive level and, with a1 > 0, the way to rest: E decays exponentially, and the pair sticks for ever in finite
     time. *)
-From InertialPair Require Import Dini Pair Stick.
+From InertialPair Require Import Dini PaidRates Pair Stick.
 
 Section Captive.
 Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -29,44 +29,11 @@ Let w t := v1 t - v2 t.
 
 Let Mo := proj1 (solution_moves _ _ _ _ _ _ _ _ _) H.
 
-(** the relative acceleration in slip *)
-Lemma slip_rate k t : 0 <= t -> (k = 1 \/ k = -1) -> 0 < k * w t ->
-  rderiv w t (- (a2 * x t + a1 * v1 t) / m1 - k * (b / m1 + b / m2)).
-Proof.
-  intros Ht Hk Hw. eapply rderiv_eq; [|exact (moves_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 k Ht (rderiv_const 0 t)
-    (q_slip _ _ _ _ _ _ _ _ _ _ _ Mo t Ht k Hk Hw))].
-  field; lra.
-Qed.
-
-Lemma gap_rate t : 0 <= t -> captive (E t) -> dini_le (fun u => w u * w u) t 0.
-Proof.
-  intros Ht C. pose proof (captive_load _ _ _ C) as Q. fold M in Q.
-  assert (Sl : forall k, (k = 1 \/ k = -1) -> 0 < k * w t -> dini_le (fun u => w u * w u) t 0).
-  { intros k Hk Hw. pose proof (slip_rate k t Ht Hk Hw) as R.
-    set (w' := - (a2 * x t + a1 * v1 t) / m1 - k * (b / m1 + b / m2)) in *.
-    apply rderiv_dini with (w' * w t + w t * w'); [|apply rderiv_mult; exact R]. cut (w t * w' <= 0); [lra|].
-    assert (W : m1 * w' = - (a2 * x t + a1 * ((m1 * v1 t + m2 * v2 t) / M)) - k * (b * M / m2) - a1 * m2 / M * w t).
-    { unfold w', w, M. field. unfold M in Mp. lra. }
-    assert (0 <= a1 * m2 / M) by positive.
-    assert (m1 * (w t * w') <= 0); [|nra]. replace (m1 * (w t * w')) with (w t * (m1 * w')) by ring. rewrite W.
-    assert (0 <= a1 * m2 / M * (w t * w t)) by (apply Rmult_le_pos; [auto|nra]).
-    set (l := a2 * x t + a1 * ((m1 * v1 t + m2 * v2 t) / M)) in *. set (c := b * M / m2) in *.
-      destruct Hk; subst k; nra. }
-  destruct (Rtotal_order (w t) 0) as [Lt|[Eq|Gt]]; [apply (Sl (-1)); auto; lra| |apply (Sl 1); auto; lra].
-  apply rderiv_dini with 0; [lra|].
-  pose proof (moves_gap_big _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 Ht (rderiv_const 0 t)) as B. fold (w t) in B.
-  intros e He. destruct (big_mult _ _ B B e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-    specialize (K h Hh). simpl in K.
-  rewrite Eq in *. replace (w (t + h) * w (t + h) - 0 * 0 - 0 * h) with ((w (t + h) - 0) * (w (t + h) - 0)) by
-    ring. exact K.
-Qed.
-
 Let E_mono r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ H r t). Qed.
 
 Let steep : 0 < a2 + a1 ^ 2 / M.
-Proof. assert (0 <= a1 ^ 2 / M); [|lra].
-  apply Rmult_le_pos; [positive|positive]. Qed.
+Proof. assert (0 <= a1 ^ 2 / M) by positive. lra. Qed.
 (** a lower level is captive too *)
 Lemma captive_less e e' : e' <= e -> captive e -> captive e'.
 Proof. unfold captive. intros. nra. Qed.
@@ -74,12 +41,15 @@ Proof. unfold captive. intros. nra. Qed.
 (** [captive-sticks] On $S$ below the captive level the pair sticks permanently. *)
 Theorem captive_sticks t0 : 0 <= t0 -> v1 t0 = v2 t0 -> captive (E t0) -> forall t, t0 <= t -> v1 t = v2 t.
 Proof.
-  intros Ht W C t Hu. assert (CW : cont w). { apply cont_minus;
-    [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
-  assert (Q : w t * w t <= w t0 * w t0).
-  { apply (dini_mono (fun u => w u * w u)); [apply cont_mult; auto|lra|]. intros r Hr. apply gap_rate; [lra|].
-    apply captive_less with (E t0); auto. apply E_mono; lra. }
-  unfold w in Q. rewrite W in Q. nra.
+  intros Ht W C t Hu. cut (Rabs (v1 t - v2 t) <= 0); [intros Q; apply Rabs_inv in Q; lra|]. apply abs_by. intros k Hk.
+  apply (moves_behind m1 m2 a1 a2 b Hm1 Hm2 _ _ _ _ _ _ Mo t0 t k); [lra|auto|rewrite W; lra|]. intros q Hq Slip.
+  exists 0. split; [apply rderiv_dini with (k * 0); [lra|apply rderiv_scal, rderiv_const]|].
+  assert (Cq : captive (E q)) by (apply captive_less with (E t0); auto; apply E_mono; lra).
+  pose proof (captive_load _ _ _ Cq) as Q. fold M. set (V := (m1 * v1 q + m2 * v2 q) / M) in *.
+  assert (Lk : - k * (a2 * x q + a1 * V) <= b * M / m2) by (destruct Hk; subst k; lra).
+  apply (Rmult_le_compat_l m2) in Lk; [|lra]. replace (m2 * (b * M / m2)) with (b * M) in Lk by (field; lra).
+  replace (v1 q) with (V + m2 / M * (v1 q - v2 q)) by (unfold V, M; field; lra).
+  assert (0 <= m2 * (a1 * (m2 / M) * (k * (v1 q - v2 q)))) by positive. lra.
 Qed.
 
 (** [captive-merges] Once its energy is below the captive level, a solution sticks permanently after a bounded time.
@@ -119,8 +89,8 @@ Proof.
     pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v1). pose proof (pow2_ge_0 v2). pose proof (pow2_ge_0 (v1 - v2)).
     assert (0 <= m1 * m2 * (v1 - v2) ^ 2) by positive. assert (0 <= / a2 * (m1 * v1 ^ 2 + m2 * v2 ^ 2)) by positive.
     assert (0 <= M * (a2 * x ^ 2)) by positive. lra. }
-  pose proof (pow2_ge_0 (x + (m1 * v1 + m2 * v2))). pose proof (pow2_ge_0 (x - (m1 * v1 + m2 * v2))).
-    apply Rabs_le. nra.
+  pose proof (pow2_ge_0 (x + (m1 * v1 + m2 * v2))). pose proof (pow2_ge_0 (x - (m1 * v1 + m2 * v2))). apply Rabs_le.
+  nra.
 Qed.
 
 (** The strict Lyapunov function E + c x P, for c small on {E <= E0}: its rate is at most -k times itself. *)
@@ -133,23 +103,16 @@ Proof.
   (* the bound U of |v1| and |v2| *)
   set (U := 1 + 2 * E0 / m1 + 2 * E0 / m2). assert (HU1 : 0 <= 2 * E0 / m1) by positive.
   assert (HU2 : 0 <= 2 * E0 / m2) by positive. assert (HU : 1 <= U) by (unfold U; lra).
-  assert (Sq : 0 <= a1 ^ 2 / (2 * a2)) by positive.
-  destruct (small_enough (/ a2 + M) (1 / 2)) as (c1 & Hc1 & K1); [lra|lra|].
-  destruct (small_enough (m2 * U) (b / 2)) as (c2 & Hc2 & K2); [nra|lra|].
-  destruct (small_enough (M + a1 ^ 2 / (2 * a2)) (a1 / 2)) as (c3 & Hc3 & K3); [lra|lra|].
-  assert (exists c, 0 < c /\ c <= c1 /\ c <= c2 /\ c <= c3) as (c & Hc & L1 & L2 & L3).
-  { exists (Rmin c1 (Rmin c2 c3)). pose proof (Rmin_l c1 (Rmin c2 c3)). pose proof (Rmin_r c1 (Rmin c2 c3)).
-    pose proof (Rmin_l c2 c3). pose proof (Rmin_r c2 c3). repeat split; try lra. repeat apply Rmin_glb_lt; auto. }
-  specialize (K1 c ltac:(lra)). specialize (K2 c ltac:(lra)). specialize (K3 c ltac:(lra)).
+  assert (Sq : 0 <= a1 ^ 2 / (2 * a2)) by positive. assert (HUm : 0 < m2 * U) by positive.
+  destruct (small_enough ((/ a2 + M) + m2 * U + (M + a1 ^ 2 / (2 * a2))) (Rmin (1 / 2) (Rmin (b / 2) (a1 / 2))))
+    as (c & Hc & K); [lra|positive|]. min_bounds (Rmin (1 / 2) (Rmin (b / 2) (a1 / 2))). specialize (K c ltac:(lra)).
+  assert (K1 : c * (/ a2 + M) <= 1 / 2) by nra. assert (K2 : c * (m2 * U) <= b / 2) by nra.
+  assert (K3 : c * (M + a1 ^ 2 / (2 * a2)) <= a1 / 2) by nra. clear K.
   (* k: 3/2 k E <= c a2 x^2/2 + a1 v1^2/2 + b |v1 - v2|/2, with v2^2 <= 2 v1^2 + 4 U |v1 - v2| *)
-  destruct (small_enough (3 / 2) c) as (k1 & Hk1 & J1); [lra|lra|].
-  destruct (small_enough (3 / 2 * (m1 + 2 * m2)) a1) as (k2 & Hk2 & J2); [lra|lra|].
-  destruct (small_enough (6 * m2 * U) b) as (k3 & Hk3 & J3); [nra|lra|].
-  assert (exists k, 0 < k /\ k <= k1 /\ k <= k2 /\ k <= k3) as (k & Hk & N1 & N2 & N3).
-  { exists (Rmin k1 (Rmin k2 k3)). pose proof (Rmin_l k1 (Rmin k2 k3)). pose proof (Rmin_r k1 (Rmin k2 k3)).
-    pose proof (Rmin_l k2 k3). pose proof (Rmin_r k2 k3). repeat split; try lra. repeat apply Rmin_glb_lt; auto. }
-  specialize (J1 k ltac:(lra)). specialize (J2 k ltac:(lra)). specialize (J3 k ltac:(lra)).
-  exists c, k. repeat split; auto. intros x v1 v2 B.
+  destruct (small_enough (3 / 2 + 3 / 2 * (m1 + 2 * m2) + 6 * m2 * U) (Rmin c (Rmin a1 b))) as (k & Hk & J);
+    [nra|positive|]. min_bounds (Rmin c (Rmin a1 b)). specialize (J k ltac:(lra)).
+  assert (J1 : k * (3 / 2) <= c) by nra. assert (J2 : k * (3 / 2 * (m1 + 2 * m2)) <= a1) by nra.
+  assert (J3 : k * (6 * m2 * U) <= b) by nra. clear J. exists c, k. repeat split; auto. intros x v1 v2 B.
   pose proof (pow2_ge_0 x) as X2. pose proof (pow2_ge_0 v1) as V2. pose proof (pow2_ge_0 v2) as W2.
   assert (En : energy x v1 v2 = a2 * x ^ 2 / 2 + m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2) by reflexivity.
   assert (U1 : - U <= v1 <= U).
@@ -210,30 +173,18 @@ Proof.
   assert (CL : cont L).
   { apply cont_plus; [exact (moves_cE m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)|].
     apply cont_scal, cont_mult; [apply (s_cx _ _ _ _ _ _ _ _ _ H)|].
-    apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
-  assert (RE : forall u, is_derive (fun u => exp (k * u)) u (k * exp (k * u))). { intros u. auto_derive; auto. ring. }
-  assert (Q : exp (k * t) * L t <= exp (k * 0) * L 0).
+    apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _
+      H)]. }
+  assert (Q : L t <= exp (- k * t) * L 0).
   { set (L' := fun u => (- b * Rabs (v1 u - v2 u) - a1 * v1 u ^ 2) + c * (v1 u * P u + x u * - (a2 * x u + a1 * v1 u))).
-    apply (rderiv_mono (fun u => exp (k * u) * L u) 0 t (fun u => k * exp (k * u) * L u + exp (k * u) * L' u)); [|lra|].
-    - apply cont_mult; auto. eapply cont_of_derive; exact RE.
-    - intros u Hu. split.
-      + apply (rderiv_mult (fun u => exp (k * u)) L); [apply rderiv_of_derive, RE|]. apply rderiv_plus.
-        * apply (energy_rate m1 m2 a1 a2 b Hm1 Hm2 _ _ _ _ H); lra.
-        * apply rderiv_scal, rderiv_mult; [apply (s_x _ _ _ _ _ _ _ _ _ H)|apply PR]; lra.
-      + pose proof (Rate (x u) (v1 u) (v2 u) (Em u ltac:(lra))) as R. pose proof (exp_pos (k * u)).
-        fold (P u) (E u) in R. change (L' u <= - k * L u) in R.
-        assert (exp (k * u) * L' u <= exp (k * u) * (- k * L u)) by scale. lra. }
-  rewrite Rmult_0_r, exp_0 in Q. assert (LB : forall u, E u / 2 <= L u <= 3 / 2 * E u).
+    apply in_proportion; auto. intros u Hu. apply rderiv_dini with (L' u); [exact (Rate _ _ _ (Em u Hu))|].
+    apply rderiv_plus; [exact (energy_rate m1 m2 a1 a2 b Hm1 Hm2 _ _ _ _ H u Hu)|].
+    apply rderiv_scal, rderiv_mult; [apply (s_x _ _ _ _ _ _ _ _ _ H)|apply PR]; lra. }
+  assert (LB : forall u, E u / 2 <= L u <= 3 / 2 * E u).
   { intros u. pose proof (cross_bound (x u) (v1 u) (v2 u)) as CB. apply Rabs_inv in CB. fold (P u) (E u) in CB.
     assert (Ep : 0 <= E u) by (exact (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _)).
-    assert (D : c * ((/ a2 + M) * E u) <= E u / 2). { rewrite <- Rmult_assoc.
-      apply Rle_trans with (1 / 2 * E u); [scale|lra]. }
-    unfold L. split; nra. }
-  pose proof (LB t). pose proof (LB 0). pose proof (exp_pos (k * t)).
-  replace (- k * t) with (- (k * t)) by ring. rewrite exp_Ropp. change (E t <= 3 * E 0 * / exp (k * t)).
-  apply Rmult_le_reg_l with (exp (k * t)); auto.
-    replace (exp (k * t) * (3 * E 0 * / exp (k * t))) with (3 * E 0) by (field; lra).
-  assert (exp (k * t) * (E t / 2) <= exp (k * t) * L t) by scale. lra.
+    assert (D : c * ((/ a2 + M) * E u) <= E u / 2) by nra. unfold L. split; nra. }
+  pose proof (LB t). pose proof (LB 0). pose proof (exp_pos (- k * t)). change (E t <= 3 * E 0 * exp (- k * t)). nra.
 Qed.
 
 (** [viscous-rest] With $a_1>0$: one time after which every solution that starts below a level sticks permanently. *)
@@ -251,8 +202,7 @@ Proof.
   exists T; split; [unfold T; lra|]. intros x v1 v2 s H B t Ht. assert (HE0 : energy (x T0) (v1 T0) (v2 T0) <= d).
   { eapply Rle_trans; [apply (D x v1 v2 s H B T0 HT0)|]. replace (- k * T0) with (- (k * T0)) by ring. rewrite exp_Ropp.
     pose proof (exp_pos (k * T0)). apply Rmult_le_reg_r with (exp (k * T0)); auto.
-      rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-    assert (1 + k * T0 <= exp (k * T0)) by apply exp_ineq1_le.
+    rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. assert (1 + k * T0 <= exp (k * T0)) by apply exp_ineq1_le.
     assert (d * (k * T0) = 3 * E0) by (unfold T0; field; lra). nra. }
   assert (Cap : captive m1 m2 a1 a2 b (energy (x T0) (v1 T0) (v2 T0))).
   { assert (0 <= energy (x T0) (v1 T0) (v2 T0)) by (exact (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _)).

@@ -60,14 +60,10 @@ Qed.
 Lemma flow_rate c : 0 <= c -> dampers c ->
   forall y z, state_ip (minus (flow y) (flow z)) (minus y z) <= c * state_ip (minus y z) (minus y z).
 Proof.
-  intros Hc Da (q, v) (p, w). pose proof (Da v w) as T. pose proof (ip_pos _ (k_form S) (minus q p)) as Kp. cbv beta in
-    Kp.
-  assert (Kc : 0 <= c * dot (K (minus q p)) (minus q p)) by positive.
-  rewrite (ip_minus _ state_inner). unfold state_ip, flow; simpl.
-  rewrite !(m_inverse S), !(ip_opp _ (dot_inner S)), !(ip_plus _ (dot_inner S)). rewrite (ip_minus _ (dot_inner S)) in
-    T.
-  change (snd (minus (q, v) (p, w))) with (minus v w). change (fst (minus (q, v) (p, w))) with (minus q p).
-  set (dv := minus v w) in *. set (dq := minus q p).
+  intros Hc Da (q, v) (p, w). pose proof (Da v w) as T. pose proof (ip_pos _ (k_form S) (minus q p)) as Kp.
+  cbv beta in Kp. assert (Kc : 0 <= c * dot (K (minus q p)) (minus q p)) by positive. rewrite (ip_minus _ state_inner).
+  unfold state_ip, flow; simpl. rewrite !(m_inverse S), !(ip_opp _ (dot_inner S)), !(ip_plus _ (dot_inner S)).
+  rewrite (ip_minus _ (dot_inner S)) in T. set (dv := minus v w) in *. set (dq := minus q p).
   assert (Q : dot (K v) dq - dot (K w) dq = dot (K q) dv - dot (K p) dv).
   { pose proof (ip_minus _ (k_form S) v w dq) as Q1. pose proof (ip_minus _ (k_form S) q p dv) as Q2. cbv beta in Q1,
     Q2. fold dv in Q1. fold dq in Q2. rewrite <- Q1, <- Q2. apply (ip_sym _ (k_form S)). }
@@ -135,12 +131,11 @@ Proof.
   intros Di Hb H Br CJ HJ.
   apply (brakes_synchronise state_ip state_inner flow (impulse (fun t => Bt (F t))) (fun t => (q t, v t)) beta
     (fun t => norm dotw (B (v t)))); auto.
-  - intros (p, w). pose proof (Di w). unfold state_ip, flow; simpl. rewrite (m_inverse S), (ip_opp _ (dot_inner S)),
-      (ip_plus _ (dot_inner S)). pose proof (ip_sym _ (k_form S) w p) as Q. cbv beta in Q. rewrite Q. lra.
-  - destruct H as [L Co Ra]. constructor; auto. intros t Ht e He. destruct (Ra t Ht e He) as (d & Hd & Q). exists d;
-    split; auto.
-    intros h Hh. eapply Rle_trans; [|apply (Q h Hh)]. apply (norm_by _ state_inner); [apply norm_pos|]. intros w.
-    eapply Rle_trans; [|apply (cauchy _ state_inner)]. apply Req_le.
+  - intros (p, w). pose proof (Di w). unfold state_ip, flow; simpl.
+    rewrite (m_inverse S), (ip_opp _ (dot_inner S)), (ip_plus _ (dot_inner S)).
+    pose proof (ip_sym _ (k_form S) w p) as Q. lra.
+  - destruct H as [L Co Ra]. constructor; auto. intros t Ht e He. destruct (Ra t Ht e He) as (d & Hd & Q).
+    exists d; split; auto. intros h Hh. eapply Rle_trans; [|apply (Q h Hh)]. apply (norm_le _ state_inner). intros w.
     rewrite !(ip_minus _ state_inner). unfold impulse. ring.
   - intros t Ht. apply norm_pos.
   - intros t Ht e He. destruct (Br t Ht e He) as (d & Hd & Q). exists d; split; auto. intros h Hh. rewrite
@@ -164,9 +159,7 @@ Proof.
   - intros. unfold plus; simpl. unfold plus; simpl. ring.
   - intros c y z. change (a2 * (c * fst (fst y) * fst (fst z)) + m1 * (c * snd (fst y) * snd (fst z)) + m2 * (c * snd y
     * snd z) = c * (a2 * (fst (fst y) * fst (fst z)) + m1 * (snd (fst y) * snd (fst z)) + m2 * (snd y * snd z))). ring.
-  - intros y. pose proof (Rle_0_sqr (fst (fst y))) as P1. pose proof (Rle_0_sqr (snd (fst y))) as P2.
-    pose proof (Rle_0_sqr (snd y)) as P3. unfold Rsqr in *. repeat apply Rplus_le_le_0_compat; apply Rmult_le_pos; auto;
-      lra.
+  - intros y. nra.
 Qed.
 Let Y := prod_ModuleSpace R_AbsRing (prod_ModuleSpace R_AbsRing R_ModuleSpace R_ModuleSpace) R_ModuleSpace.
 Lemma pair_minus f g k f' g' k' : @minus Y (f, g, k) (f', g', k') = (f - f', g - g', k - k').
@@ -176,15 +169,16 @@ Proof. reflexivity. Qed.
 Lemma pair_scal c f g k : @scal R_AbsRing Y c (f, g, k) = (c * f, c * g, c * k).
 Proof. reflexivity. Qed.
 (** small components, small norm *)
-Lemma pair_norm e f g k : 0 <= e -> Rabs f <= e -> Rabs g <= e -> Rabs k <= e -> norm pair_ip (f, g, k) <= (a2 + m1 + m2
-  + 1) * e.
+Let C := a2 + m1 + m2 + 1.
+Lemma pair_norm f g k : norm pair_ip (f, g, k) <= C * (Rabs f + Rabs g + Rabs k).
 Proof.
-  intros He F G K. unfold norm. apply Rle_trans with (sqrt (((a2 + m1 + m2 + 1) * e) ^ 2)); [|rewrite sqrt_pow2; nra].
-  apply sqrt_le_1_alt. unfold pair_ip; simpl.
+  set (e := Rabs f + Rabs g + Rabs k). pose proof (Rabs_pos f). pose proof (Rabs_pos g). pose proof (Rabs_pos k).
   assert (Sq : forall u, Rabs u <= e -> u * u <= e * e) by (intros u Hu; apply Rabs_inv in Hu; nra).
-  apply Sq in F. apply Sq in G. apply Sq in K. assert (0 <= e * e) by nra.
-  apply Rle_trans with ((a2 + m1 + m2) * (e * e)); [nra|]. replace ((a2 + m1 + m2 + 1) * e * ((a2 + m1 + m2 + 1) * e *
-    1)) with ((a2 + m1 + m2 + 1) * (a2 + m1 + m2 + 1) * (e * e)) by ring. apply Rmult_le_compat_r; nra.
+  pose proof (Sq f ltac:(unfold e; lra)). pose proof (Sq g ltac:(unfold e; lra)).
+  pose proof (Sq k ltac:(unfold e; lra)). assert (0 <= e) by (unfold e; lra).
+  rewrite <- (sqrt_pow2 (C * e)) by (unfold C; positive). apply sqrt_le_1_alt. unfold pair_ip; simpl.
+  apply Rle_trans with ((a2 + m1 + m2) * (e * e)); [nra|]. replace (C * e * (C * e * 1)) with (C * C * (e * e)) by ring.
+  unfold C. apply Rmult_le_compat_r; nra.
 Qed.
 
 (** [pair-inclusion] The pair under a force is the case with one direction. *)
@@ -192,39 +186,27 @@ Theorem pair_is_an_inclusion U x v1 v2 s : forced m1 m2 a1 a2 b U x v1 v2 s ->
   motion pair_ip pair_flow pair_friction (fun t => (0, U t / m1, 0)) (fun t => (0, b / m1 * s t, - (b / m2 * s t)))
     (fun t => (x t, v1 t, v2 t)).
 Proof.
-  intros H. assert (N : 0 < a2 + m1 + m2 + 1) by lra. split; [constructor|].
-  - exists ((a2 + m1 + m2 + 1) * (b / m1 + b / m2)). intros r t Hr. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H r t Hr) as
-    L. assert (B1 : 0 < b / m1) by positive. assert (B2 : 0 < b / m2) by positive.
-    rewrite Rmult_assoc, pair_minus. apply pair_norm; [nra|rewrite Rminus_diag_eq, Rabs_R0 by auto; nra| |].
-    + replace (b / m1 * s t - b / m1 * s r) with (b / m1 * (s t - s r)) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra.
-      nra.
-    + replace (- (b / m2 * s t) - - (b / m2 * s r)) with (- (b / m2 * (s t - s r))) by ring.
-      rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq by lra. nra.
-  - intros t Ht e He. assert (He' : 0 < e / (2 * (a2 + m1 + m2 + 1))) by positive.
-    destruct (f_cx _ _ _ _ _ _ _ _ _ _ H t Ht _ He') as (d1 & H1 & K1). destruct (f_cv _ _ _ _ _ _ _ _ _ _ H t Ht _ He')
-      as (d2 & H2 & K2).
-    destruct (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t Ht _ He') as (d3 & H3 & K3).
-    exists (Rmin d1 (Rmin d2 d3)); split; [repeat apply Rmin_glb_lt; auto|]. intros u Hu Hd.
-    pose proof (Rmin_l d1 (Rmin d2 d3)). pose proof (Rmin_r d1 (Rmin d2 d3)). pose proof (Rmin_l d2 d3). pose proof
-      (Rmin_r d2 d3).
-    apply Rle_lt_trans with ((a2 + m1 + m2 + 1) * (e / (2 * (a2 + m1 + m2 + 1)))); [|replace (_ * _) with (e / 2) by
-      (field; lra); lra].
-    rewrite pair_minus. apply pair_norm; [lra|apply Rlt_le, K1; [auto|lra]|apply Rlt_le, K2; [auto|lra]|apply Rlt_le,
-      K3; [auto|lra]].
-  - intros t Ht e He. assert (He' : 0 < e / (a2 + m1 + m2 + 1)) by positive.
-    destruct (f_x _ _ _ _ _ _ _ _ _ _ H t Ht _ He') as (d1 & H1 & K1).
-    destruct (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht (e / (a2 + m1 + m2 + 1) * m1)) as (d2 & H2 & K2); [nra|].
-    smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
-    replace (e * h) with ((a2 + m1 + m2 + 1) * (e / (a2 + m1 + m2 + 1) * h)) by (field; lra).
-    assert (0 <= e / (a2 + m1 + m2 + 1) * h) by nra.
-    unfold pair_flow; simpl fst; simpl snd. rewrite !pair_plus, !pair_minus, pair_scal, pair_minus. apply pair_norm;
-      auto.
-    + match type of K1 with Rabs ?a <= _ => match goal with |- Rabs ?c <= _ => replace c with a by ring end end. auto.
-    + apply Rmult_le_reg_l with m1; auto. rewrite <- (Rabs_pos_eq m1) at 1 by lra. rewrite <- Rabs_mult.
-      match type of K2 with Rabs ?a <= _ => match goal with |- Rabs ?c <= _ => replace c with a by (field; lra) end end.
-        lra.
-    + pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t (t + h) Ht ltac:(lra)) as W.
-      match goal with |- Rabs ?c <= _ => replace c with 0 by lra end. rewrite Rabs_R0. auto.
+  intros H. assert (B1 : 0 < b / m1) by positive. assert (B2 : 0 < b / m2) by positive. split; [constructor|].
+  - exists (C * (b / m1 + b / m2)). intros r t Hr. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H r t Hr) as L.
+    rewrite pair_minus. eapply Rle_trans; [apply pair_norm|]. rewrite Rmult_assoc.
+    apply Rmult_le_compat_l; [unfold C; lra|]. rewrite Rminus_diag_eq, Rabs_R0 by auto.
+    replace (- (b / m2 * s t) - - (b / m2 * s r)) with (- (b / m2 * (s t - s r)))
+      by ring. rewrite <- Rmult_minus_distr_l, Rabs_Ropp, !Rabs_mult, !(Rabs_pos_eq (b / _)) by lra. nra.
+  - intros t Ht e He. set (g := fun u => C * (Rabs (x u - x t) + Rabs (v1 u - v1 t) + Rabs (v2 u - v2 t))).
+    assert (Cg : cont g).
+    { apply cont_scal; repeat apply cont_plus; apply cont_abs, cont_minus; try apply cont_const; [apply (f_cx _ _ _ _ _
+        _ _ _ _ _ H)|apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
+    destruct (Cg t Ht e He) as (d & Hd & K). exists d; split; auto. intros u Hu Hd'. specialize (K u Hu Hd').
+    apply Rabs_def2 in K. rewrite pair_minus. eapply Rle_lt_trans; [apply pair_norm|]. fold (g u).
+    replace (g t) with 0 in K by (unfold g; rewrite !Rminus_diag_eq, Rabs_R0 by auto; ring). lra.
+  - intros t Ht. apply vlittle_norm.
+    eapply little_le; [|exact (little_scal C _ (little_plus _ _ (little_abs _ (f_x _ _ _ _ _ _ _ _ _ _ H t Ht))
+      (little_abs _ (little_scal (/ m1) _ (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht)))))]. intros h Hh.
+    rewrite Rabs_pos_eq by apply norm_pos. eapply Rle_trans; [|apply Rle_abs]. unfold pair_flow; simpl fst; simpl snd.
+    rewrite !pair_plus, !pair_minus, pair_scal, pair_minus. eapply Rle_trans; [apply pair_norm|]. apply Req_le. f_equal.
+    pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t (t + h) Ht ltac:(lra)) as W.
+    match goal with |- _ + Rabs ?c = _ => replace c with 0 by lra end. rewrite Rabs_R0, Rplus_0_r.
+    f_equal; f_equal; field; lra.
   - intros t Ht z e He. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
     destruct (friction_power 1 s (v1 t - v2 t) t (fun k Hk W => rderiv_eq _ _ _ _ (eq_sym (Rmult_1_r k))
       (q_slip m1 m2 a1 a2 b _ _ _ _ _ _ H t Ht k Hk W)) (e / b)) as

@@ -38,30 +38,25 @@ Proof.
   set (Z := - (a2 - m1 * om ^ 2) * (rho / om) + a1 * om * (- f / (m2 * om ^ 2))). assert (Q : X ^ 2 + Z ^ 2 = U ^ 2).
   { unfold balance, stiffness in Ba. apply Rmult_eq_reg_l with ((m2 * om ^ 2) ^ 2); [|apply pow_nonzero; nra].
     replace ((m2 * om ^ 2) ^ 2 * U ^ 2) with ((m2 * om ^ 2 * U) ^ 2) by ring. rewrite Ba. unfold X, Z. field. lra. }
-  destruct (polar X (- Z) U 1 0 HU Rlt_0_1) as (p & _ & Cp & Sp). { rewrite <- Q. ring. } rewrite Rmult_1_l in Cp, Sp.
+  destruct (polar X (- Z) U 1 0 HU Rlt_0_1) as (p & _ & Cp & Sp); [lra|]. rewrite Rmult_1_l in Cp, Sp.
   exists (fun t => rho / om * sin (om * t + p) - f / (m2 * om ^ 2) * cos (om * t + p)),
     (fun t => - (rho / om) * cos (om * t + p) - f / (m2 * om ^ 2) * sin (om * t + p)),
     (fun t => rho * cos (om * t + p) + f / (m2 * om) * sin (om * t + p)),
     (fun t => rho * sin (om * t + p) - f / (m2 * om) * cos (om * t + p)),
     (fun t => f / (m2 * om) * sin (om * t + p)), (fun t => - (f / (m2 * om)) * cos (om * t + p)),
-    (along f p), (across f p).
-  assert (UC : forall t, U * cos (om * t) = X * cos (om * t + p) - Z * sin (om * t + p) /\
+    (along f p), (across f p). assert (UC : forall t, U * cos (om * t) = X * cos (om * t + p) - Z * sin (om * t + p) /\
     U * sin (om * t) = X * sin (om * t + p) + Z * cos (om * t + p)).
-  { intros t. replace (om * t) with (om * t + p - p) at 1 4 by ring. rewrite cos_minus, sin_minus.
-    replace Z with (- (U * sin p)) by lra. rewrite <- Cp. split; ring. }
+  { intros t. replace (om * t) with (om * t + p - p) at 1 4 by ring. rewrite cos_minus, sin_minus. nra. }
   unfold along, across. constructor; intros t; try destruct (UC t) as (-> & ->).
   - split; auto_derive; auto; field; lra.
   - split; auto_derive; auto; unfold X, Z; field; lra.
   - split; auto_derive; auto; field; lra.
-  - pose proof (sin2_cos2 (om * t + p)) as SC. unfold Rsqr in SC. replace (f ^ 2) with (f ^ 2 * (sin (om * t + p) * sin
-    (om * t + p) + cos (om * t + p) * cos (om * t + p))) by (rewrite SC; ring). ring.
+  - pose proof (sin2_cos2 (om * t + p)) as SC. unfold Rsqr in SC. nra.
   - split; ring.
 Qed.
 
-Let S1 : 0 <= stiffness m1. Proof. unfold stiffness. pose proof (pow2_ge_0 (a2 - m1 * om ^ 2)). pose proof (pow2_ge_0
-  (a1 * om)). lra. Qed.
-Let SM : 0 <= stiffness (m1 + m2). Proof. unfold stiffness. pose proof (pow2_ge_0 (a2 - (m1 + m2) * om ^ 2)). pose proof
-  (pow2_ge_0 (a1 * om)). lra. Qed.
+Lemma stiffness_pos m : 0 <= stiffness m.
+Proof. unfold stiffness. positive. Qed.
 
 (** [rotating-threshold] Unless $a_1=0$ and body 1 alone is in resonance: the equation of rotating-motion has a stuck
     circle up to $U^*$, and exactly above it one positive speed of slip under the friction $b$. *)
@@ -70,25 +65,21 @@ Theorem one_threshold U : 0 < U -> 0 < stiffness m1 ->
   ((exists rho, 0 < rho /\ balance U b rho) <-> Ustar_plane < U) /\
   forall r r', 0 <= r -> 0 <= r' -> balance U b r -> balance U b r' -> r = r'.
 Proof.
-  intros HU D1. assert (O2 : 0 < om ^ 2) by nra. assert (O4 : 0 < om ^ 4) by nra. assert (Mo : 0 < m2 * om ^ 2) by nra.
-  set (q := sqrt (stiffness (m1 + m2))). assert (Qq : q * q = stiffness (m1 + m2)) by (apply sqrt_sqrt, SM).
-  assert (Qp : 0 <= q) by apply sqrt_pos.
+  intros HU D1. assert (O2 : 0 < om ^ 2) by nra. assert (O4 : 0 < om ^ 4) by nra. set (q := sqrt (stiffness (m1 + m2))).
+  assert (Qq : q * q = stiffness (m1 + m2)) by (apply sqrt_sqrt, stiffness_pos).
   assert (Us : m2 * om ^ 2 * Ustar_plane = b * q) by (unfold Ustar_plane; fold q; field; lra).
   set (B := 2 * a1 * m2 ^ 2 * om ^ 4 * b). set (A := m2 ^ 2 * om ^ 2 * stiffness m1).
-  assert (M2 : 0 < m2 ^ 2) by positive.
-  assert (HB : 0 <= B) by (unfold B; apply Rmult_le_pos; [|lra]; apply Rmult_le_pos; [|lra]; apply Rmult_le_pos; lra).
-  assert (HA : 0 < A) by (unfold A; apply Rmult_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
+  assert (M2 : 0 < m2 ^ 2) by positive. assert (HB : 0 <= B) by positive. assert (HA : 0 < A) by positive.
   assert (Ba : forall r, balance U b r <-> (m2 * om ^ 2 * U) ^ 2 = (b * q) ^ 2 + B * r + A * r ^ 2).
   { intros r. unfold balance, A, B. rewrite <- Qq. split; intros E; rewrite E; ring. }
   assert (Lt : Ustar_plane < U <-> (b * q) ^ 2 < (m2 * om ^ 2 * U) ^ 2).
-  { rewrite <- Us. assert (0 <= Ustar_plane) by (unfold Ustar_plane; fold q; apply Rmult_le_pos; [positive|positive]).
-    split; intros L.
+  { assert (0 <= Ustar_plane) by (unfold Ustar_plane; fold q; apply Rmult_le_pos; [positive|positive]). split; intros L.
     - assert (m2 * om ^ 2 * Ustar_plane < m2 * om ^ 2 * U) by scale.
       assert (0 <= m2 * om ^ 2 * Ustar_plane) by positive. nra.
     - apply Rnot_le_lt. intros N. assert (m2 * om ^ 2 * U <= m2 * om ^ 2 * Ustar_plane) by scale.
       assert (0 < m2 * om ^ 2 * U) by positive. nra. }
   split; [|split].
-  - intros Le. assert (Up : 0 < Ustar_plane) by lra. exists (b * U / Ustar_plane). split; [split|split].
+  - intros Le. exists (b * U / Ustar_plane). split; [split|split].
     + positive.
     + undivide Ustar_plane. scale.
     + field. lra.
@@ -96,20 +87,16 @@ Proof.
       replace ((m2 * om ^ 2 * U) ^ 2 * Ustar_plane ^ 2) with (U ^ 2 * (m2 * om ^ 2 * Ustar_plane) ^ 2) by ring. rewrite
         Us. field. lra.
   - rewrite Lt. split.
-    + intros (r & Hr & Er). apply Ba in Er. rewrite Er. assert (0 < A * r ^ 2) by positive.
-      assert (0 <= B * r) by positive. lra.
-    + intros L. set (c := (m2 * om ^ 2 * U) ^ 2 - (b * q) ^ 2). assert (Hc : 0 < c) by (unfold c; lra).
-      set (w := sqrt (B ^ 2 + 4 * A * c)). assert (Ac : 0 < A * c) by positive.
+    + intros (r & Hr & Er). apply Ba in Er. assert (0 < A * r ^ 2) by positive. nra.
+    + intros L. set (c := (m2 * om ^ 2 * U) ^ 2 - (b * q) ^ 2). set (w := sqrt (B ^ 2 + 4 * A * c)).
+      assert (Ac : 0 < A * c) by positive.
       assert (Ew : w * w = B ^ 2 + 4 * A * c) by (apply sqrt_sqrt; pose proof (pow2_ge_0 B); lra).
-      assert (Wp : 0 <= w) by apply sqrt_pos. assert (Wb : B < w) by (apply Rnot_le_lt; intros N; nra).
-      exists ((w - B) / (2 * A)). split; [positive|]. apply Ba.
-      apply Rminus_diag_uniq_sym. apply Rmult_eq_reg_l with (4 * A); [|lra].
+      assert (Wp : 0 <= w) by positive. assert (Wb : B < w) by nra. exists ((w - B) / (2 * A)). split; [positive|].
+      apply Ba. apply Rminus_diag_uniq_sym. apply Rmult_eq_reg_l with (4 * A); [|lra].
       replace (4 * A * ((b * q) ^ 2 + B * ((w - B) / (2 * A)) + A * ((w - B) / (2 * A)) ^ 2 - (m2 * om ^ 2 * U) ^ 2))
-        with (w * w - B ^ 2 - 4 * A * c) by (unfold c; field; lra). rewrite Ew. ring.
+        with (w * w - B ^ 2 - 4 * A * c) by (unfold c; field; lra). lra.
   - intros r r' Hr Hr' E E'. apply Ba in E. apply Ba in E'. apply Rminus_diag_uniq.
-    assert (Z : (r - r') * (B + A * (r + r')) = 0) by lra. apply Rmult_integral in Z. destruct Z as [Z|Z]; auto.
-    assert (0 <= A * (r + r')) by positive. destruct (Req_dec (r + r') 0); [lra|].
-    assert (0 < A * (r + r')) by positive. lra.
+    assert (Z : (r - r') * (B + A * (r + r')) = 0) by lra. apply Rmult_integral in Z. nra.
 Qed.
 
 (** *** A friction of the speed (S5): the characteristic function at 0 has the sign of dU/drho *)

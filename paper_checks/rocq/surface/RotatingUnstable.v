@@ -35,7 +35,7 @@ Lemma N_pos l : 0 <= l -> 0 < N l.
 Proof.
   intros Hl. destruct (Req_dec l 0) as [->|Hn].
   - unfold stiffness in HD. unfold N, Kr, Ki. nra.
-  - assert (0 < Ki l) by (unfold Ki; apply Rmult_lt_0_compat; nra). unfold N. pose proof (pow2_ge_0 (Kr l)). nra.
+  - assert (0 < Ki l) by (unfold Ki; apply Rmult_lt_0_compat; nra). unfold N. nra.
 Qed.
 
 (** it has the sign of the determinant *)
@@ -58,55 +58,36 @@ Qed.
 (** far out the mobility vanishes *)
 Lemma mobility_small l : 1 <= l -> 2 * om <= l -> Rabs (Gr l) <= (4 / m1 + 1 / m2) / l /\ Rabs (Gi l) <= (4 / m1 + 1 / m2) / l.
 Proof.
-  intros H1 H2. assert (Ll : 0 < l) by lra. assert (HK : m1 * l ^ 2 / 2 <= Kr l).
-  { unfold Kr. assert (om ^ 2 <= l ^ 2 / 4) by nra. assert (0 <= a1 * l) by nra.
+  intros H1 H2. assert (HK : m1 * l ^ 2 / 2 <= Kr l).
+  { unfold Kr. assert (0 <= a1 * l) by nra.
     assert (m1 * (l ^ 2 / 2) <= m1 * (l ^ 2 - om ^ 2)) by (apply Rmult_le_compat_l; nra). lra. }
-  assert (L2 : 0 < l ^ 2) by nra. assert (Kp : 0 < Kr l) by (assert (0 < m1 * l ^ 2) by (apply Rmult_lt_0_compat; auto); lra). assert (Ip : 0 <= Ki l) by (unfold Ki; apply Rmult_le_pos; nra).
-  pose proof (N_pos l ltac:(lra)) as Np. assert (S0 : 0 < l ^ 2 + om ^ 2) by nra.
-  assert (R1 : Kr l / N l <= 2 / (m1 * l ^ 2)).
-  { apply Rmult_le_reg_r with (N l * (m1 * l ^ 2)); [positive|].
-    replace (Kr l / N l * (N l * (m1 * l ^ 2))) with (Kr l * (m1 * l ^ 2)) by (field; lra).
-    replace (2 / (m1 * l ^ 2) * (N l * (m1 * l ^ 2))) with (2 * N l) by (field; lra). unfold N. nra. }
-  assert (R2 : Ki l / N l <= 2 / (m1 * l ^ 2)).
-  { apply Rmult_le_reg_r with (N l * (m1 * l ^ 2)); [positive|].
-    replace (Ki l / N l * (N l * (m1 * l ^ 2))) with (Ki l * (m1 * l ^ 2)) by (field; lra).
-    replace (2 / (m1 * l ^ 2) * (N l * (m1 * l ^ 2))) with (2 * N l) by (field; lra).
-    pose proof (pow2_ge_0 (Kr l - Ki l)). unfold N. nra. }
-  assert (P1 : 0 <= Kr l / N l) by positive. assert (P2 : 0 <= Ki l / N l) by positive.
-  assert (Q1 : l * (2 / (m1 * l ^ 2)) = 2 / m1 / l) by (field; lra).
-  assert (Q2 : om * (2 / (m1 * l ^ 2)) <= 2 / m1 / l).
-  { rewrite <- Q1. apply Rmult_le_compat_r; [|lra]. positive. }
-  assert (T1 : l * (Kr l / N l) <= 2 / m1 / l) by (rewrite <- Q1; scale).
-  assert (T2 : l * (Ki l / N l) <= 2 / m1 / l) by (rewrite <- Q1; scale).
-  assert (T3 : om * (Kr l / N l) <= 2 / m1 / l) by (eapply Rle_trans; [|exact Q2]; scale).
-  assert (T4 : om * (Ki l / N l) <= 2 / m1 / l) by (eapply Rle_trans; [|exact Q2]; scale).
-  assert (W1 : l / (m2 * (l ^ 2 + om ^ 2)) <= 1 / m2 / l).
-  { apply Rmult_le_reg_r with (m2 * (l ^ 2 + om ^ 2) * l); [positive|].
-    replace (l / (m2 * (l ^ 2 + om ^ 2)) * (m2 * (l ^ 2 + om ^ 2) * l)) with (l ^ 2) by (field; lra).
-    replace (1 / m2 / l * (m2 * (l ^ 2 + om ^ 2) * l)) with (l ^ 2 + om ^ 2) by (field; lra). nra. }
-  assert (W2 : om / (m2 * (l ^ 2 + om ^ 2)) <= 1 / m2 / l).
-  { eapply Rle_trans; [|exact W1]. apply Rmult_le_compat_r; [|lra]. positive. }
-  assert (W3 : 0 <= l / (m2 * (l ^ 2 + om ^ 2))) by positive. assert (W4 : 0 <= om / (m2 * (l ^ 2 + om ^ 2))) by positive.
-  assert (B1 : 0 <= l * (Kr l / N l)) by positive. assert (B2 : 0 <= l * (Ki l / N l)) by positive.
-  assert (B3 : 0 <= om * (Kr l / N l)) by positive. assert (B4 : 0 <= om * (Ki l / N l)) by positive.
-  replace ((4 / m1 + 1 / m2) / l) with (2 / m1 / l + 2 / m1 / l + 1 / m2 / l) by (field; lra).
-  replace (Gr l) with (l * (Kr l / N l) + om * (Ki l / N l) + l / (m2 * (l ^ 2 + om ^ 2))) by (unfold Gr; field; lra).
-  replace (Gi l) with (om * (Kr l / N l) - l * (Ki l / N l) - om / (m2 * (l ^ 2 + om ^ 2))) by (unfold Gi; field; lra).
-  split; apply Rabs_le; lra.
+  assert (L2 : 0 < m1 * l ^ 2) by positive. assert (Ip : 0 <= Ki l) by (unfold Ki; apply Rmult_le_pos; nra).
+  pose proof (N_pos l ltac:(lra)) as Np. assert (S0 : 0 < l ^ 2 + om ^ 2) by positive. set (a := Kr l / N l).
+  set (e := Ki l / N l). set (c := / (m2 * (l ^ 2 + om ^ 2))). assert (0 <= a) by positive. assert (0 <= e) by positive.
+  assert (0 <= c) by positive.
+  assert (B : forall y, 0 <= y -> y * (m1 * l ^ 2) <= 2 * N l -> y / N l <= 2 / (m1 * l ^ 2)).
+  { intros y Hy Q. undivide (m1 * l ^ 2).
+    replace (y / N l * (m1 * l ^ 2)) with (y * (m1 * l ^ 2) / N l) by (field; lra). undivide (N l). exact Q. }
+  assert (Ba : a <= 2 / (m1 * l ^ 2)) by (apply B; [lra|unfold N; nra]).
+  assert (Be : e <= 2 / (m1 * l ^ 2)) by (apply B; [lra|pose proof (pow2_ge_0 (Kr l - Ki l)); unfold N; nra]).
+  assert (Bc : c <= 1 / (m2 * l ^ 2)).
+  { unfold c, Rdiv. rewrite Rmult_1_l. apply Rinv_le_contravar; [positive|]. apply Rmult_le_compat_l; nra. }
+  assert (Sum : l * (a + e + c) <= (4 / m1 + 1 / m2) / l).
+  { replace ((4 / m1 + 1 / m2) / l) with (l * (2 / (m1 * l ^ 2) + 2 / (m1 * l ^ 2) + 1 / (m2 * l ^ 2))) by (field; lra).
+    apply Rmult_le_compat_l; lra. }
+  replace (Gr l) with (l * a + om * e + l * c) by (unfold Gr, a, e, c; field; lra).
+  replace (Gi l) with (om * a - l * e - om * c) by (unfold Gi, a, e, c; field; lra). split; apply Rabs_le; nra.
 Qed.
 
 Lemma X_far : exists l, 0 < l /\ 0 < X l.
 Proof.
-  set (C := 4 / m1 + 1 / m2). assert (Cp : 0 < C) by (unfold C; apply Rplus_lt_0_compat; positive).
-  set (p := Rabs f'). set (q := Rabs (f / rho)). assert (Pp : 0 <= p) by apply Rabs_pos. assert (Qp : 0 <= q) by apply Rabs_pos.
-  set (l := 1 + 2 * om + 4 * C * (p + q)). assert (CP : 0 <= C * (p + q)) by positive.
-  assert (L1 : 1 <= l) by (unfold l; lra). exists l. split; [lra|].
-  destruct (mobility_small l L1 ltac:(unfold l; lra)) as (Ga & Gb). fold C in Ga, Gb.
-  assert (S1 : forall z y, Rabs z <= p + q -> Rabs y <= C / l -> Rabs (z * y) <= / 4).
+  set (C := 4 / m1 + 1 / m2). set (p := Rabs f'). set (q := Rabs (f / rho)). assert (Pp : 0 <= p) by positive.
+  assert (Qp : 0 <= q) by positive. set (l := 1 + 2 * om + 4 * C * (p + q)). assert (CP : 0 <= C * (p + q)) by positive.
+  assert (L1 : 1 <= l) by (unfold l; lra). exists l. destruct (mobility_small l L1 ltac:(unfold l; lra)) as (Ga & Gb).
+  fold C in Ga, Gb. assert (S1 : forall z y, Rabs z <= p + q -> Rabs y <= C / l -> Rabs (z * y) <= / 4).
   { intros z y Hz Hy. rewrite Rabs_mult. apply Rle_trans with ((p + q) * (C / l)).
     - apply Rmult_le_compat; auto using Rabs_pos.
-    - apply Rmult_le_reg_r with (4 * l); [lra|]. replace ((p + q) * (C / l) * (4 * l)) with (4 * C * (p + q)) by (field; lra).
-      replace (/ 4 * (4 * l)) with l by field. unfold l. lra. }
+    - replace ((p + q) * (C / l)) with ((p + q) * C / l) by (field; lra). undivide l. unfold l. lra. }
   pose proof (S1 f' _ ltac:(fold p; lra) Ga) as A1. pose proof (S1 (f / rho) _ ltac:(fold q; lra) Ga) as A2.
   pose proof (S1 f' _ ltac:(fold p; lra) Gb) as A3. pose proof (S1 (f / rho) _ ltac:(fold q; lra) Gb) as A4.
   apply Rabs_inv in A1. apply Rabs_inv in A2. unfold X.
@@ -127,29 +108,25 @@ Proof.
   assert (CY : cont Y).
   { eapply cont_of_derive. intros t. unfold Y, nr, ni, d, N, Kr, Ki. auto_derive; auto. reflexivity. }
   destruct (cont_IVT Y 0 L CY ltac:(lra)) as (l & Hl & Zl).
-  { rewrite !Y_X by lra. pose proof (Dp 0 ltac:(lra)). pose proof (Dp L ltac:(lra)).
-    assert (0 < d 0 ^ 2) by positive. assert (0 < d L ^ 2) by positive.
+  { rewrite !Y_X by lra. pose proof (Dp 0 ltac:(lra)). pose proof (Dp L ltac:(lra)). assert (0 < d 0 ^ 2) by positive.
     assert (d 0 ^ 2 * X 0 < 0) by nra. assert (0 < d L ^ 2 * X L) by positive. nra. }
   rewrite Y_X in Zl by lra. assert (0 < d l ^ 2) by (pose proof (Dp l ltac:(lra)); positive).
-  assert (Xl : X l = 0) by (apply Rmult_integral in Zl; lra).
-  assert (Lp : 0 < l) by (destruct (Req_dec l 0) as [E|]; [rewrite E in Xl|]; lra).
+  assert (Xl : X l = 0) by nra. assert (Lp : 0 < l) by (destruct (Req_dec l 0) as [E|]; [rewrite E in Xl|]; lra).
   assert (Null : exists g g', (g <> 0 \/ g' <> 0) /\ (1 + f' * Gr l) * g - f' * Gi l * g' = 0 /\
     f / rho * Gi l * g + (1 + f / rho * Gr l) * g' = 0).
-  { destruct (Req_dec (f' * Gi l) 0) as [E1|E1]; [destruct (Req_dec (1 + f' * Gr l) 0) as [E2|E2]|].
-    - exists 1, 0. assert (Gz : Gi l = 0). { apply Rmult_integral in E1. destruct E1 as [E1|]; auto. rewrite E1 in E2. lra. }
-      rewrite E2, Gz. split; [lra|split; ring].
-    - exists (f' * Gi l), (1 + f' * Gr l). split; [auto|split; [ring|]]. rewrite <- Xl. unfold X. ring.
-    - exists (f' * Gi l), (1 + f' * Gr l). split; [auto|split; [ring|]]. rewrite <- Xl. unfold X. ring. }
-  destruct Null as (g & g' & NZ & R1 & R2). pose proof (N_pos l ltac:(lra)) as Np. assert (S0 : 0 < l ^ 2 + om ^ 2) by nra.
-  set (q := - (g * Kr l + g' * Ki l) / N l). set (q' := - (g' * Kr l - g * Ki l) / N l).
-  set (v := l * q - om * q'). set (v' := l * q' + om * q).
+  { destruct (Req_dec (1 + f' * Gr l) 0) as [E2|E2]; [destruct (Req_dec (f' * Gi l) 0) as [E1|E1]|].
+    1: { exists 1, 0. assert (Gz : Gi l = 0) by (apply Rmult_integral in E1; nra). rewrite E2, Gz. lra. }
+    all: exists (f' * Gi l), (1 + f' * Gr l); split; [auto|split; [ring|rewrite <- Xl; unfold X; ring]]. }
+  destruct Null as (g & g' & NZ & R1 & R2). pose proof (N_pos l ltac:(lra)) as Np.
+  assert (S0 : 0 < l ^ 2 + om ^ 2) by nra. set (q := - (g * Kr l + g' * Ki l) / N l).
+  set (q' := - (g' * Kr l - g * Ki l) / N l). set (v := l * q - om * q'). set (v' := l * q' + om * q).
   set (w := (g * l + g' * om) / (m2 * (l ^ 2 + om ^ 2))). set (w' := (g' * l - g * om) / (m2 * (l ^ 2 + om ^ 2))).
   exists l, q, q', v, v', w, w', g, g'. split; [auto|split; [|auto]].
   assert (Vw : v - w = - (Gr l * g - Gi l * g')) by (unfold v, w, q, q', Gr, Gi; field; lra).
   assert (Vw' : v' - w' = - (Gr l * g' + Gi l * g)) by (unfold v', w', q, q', Gr, Gi; field; lra).
   assert (Body : Kr l * q - Ki l * q' = - g /\ Kr l * q' + Ki l * q = - g').
   { unfold q, q'. split; unfold N; field; fold (N l); lra. }
-  destruct Body as (B1 & B2). constructor; [split; reflexivity| |split; unfold w, w'; field; lra|rewrite Vw, Vw'; split; lra].
+  constructor; [split; reflexivity| |split; unfold w, w'; field; lra|rewrite Vw, Vw'; split; lra].
   split; unfold v, v', Kr, Ki in *; lra.
 Qed.
 End Unstable.

@@ -38,8 +38,7 @@ Proof.
   { intros th. rewrite <- (norm_sq ip In). pose proof (norm_pos ip (ellipse th)). split; intros; nra. }
   unfold semi_major_square. fold A B C R0. split; intros K.
   - destruct (Req_dec R0 0) as [Z|N].
-    + specialize (K 0). apply Sq in K. rewrite ellipse_square, Rmult_0_r, cos_0, sin_0 in K. assert (A - B = 0); [|lra].
-      apply Rsqr_0_uniq. unfold Rsqr. pose proof (pow2_ge_0 (A - B)). pose proof (pow2_ge_0 C). rewrite Z in R0_sq. lra.
+    + specialize (K 0). apply Sq in K. rewrite ellipse_square, Rmult_0_r, cos_0, sin_0 in K. nra.
     + destruct (polar (A - B) (2 * C) R0 2 0) as (th & _ & Ec & Es); [lra|lra|replace (R0 ^ 2) with (R0 * R0) by ring;
         rewrite R0_sq; ring|]. specialize (K th). apply Sq in K. rewrite ellipse_square in K. nra.
   - intros th. apply Sq. rewrite ellipse_square. pose proof (sin2_cos2 (2 * th)) as SC. unfold Rsqr in SC.
@@ -66,22 +65,27 @@ End Ellipse.
 (** Every stuck motion is such an ellipse: body 1 carries both masses on its spring, component by component. The force on
     body 2 is m2 times its acceleration, and within b exactly while the place is within L; with p in units of the frequency
     the energy is a2 (|q|^2 + |p|^2) / 2, and E_cr that of the place L. *)
-Lemma oscillator om x v : 0 < om -> (forall t, is_derive x t (v t)) -> (forall t, is_derive v t (- (om * om) * x t)) ->
-  forall t, x t = x 0 * cos (om * t) + v 0 / om * sin (om * t).
+Lemma oscillator om (x v : R -> R) : 0 < om -> (forall t, is_derive x t (v t)) ->
+  (forall t, is_derive v t (- (om * om) * x t)) ->
+  forall t, x t = x 0 * cos (om * t) + v 0 / om * sin (om * t) /\ x t ^ 2 + (v t / om) ^ 2 = x 0 ^ 2 + (v 0 / om) ^ 2.
 Proof.
   intros Ho X V t. set (c := fun t => x t * cos (om * t) - v t / om * sin (om * t)).
   set (s := fun t => x t * sin (om * t) + v t / om * cos (om * t)).
   assert (Dx : forall t, Derive (fun u => x u) t = v t) by (intros; apply is_derive_unique, X).
   assert (Dv : forall t, Derive (fun u => v u) t = - (om * om) * x t) by (intros; apply is_derive_unique, V).
   assert (Const : forall f, (forall t, is_derive f t 0) -> f t = f 0).
-  { intros f D. destruct (MVT_gen f 0 t (fun _ => 0)) as (m & _ & E); [auto|intros; apply derivable_continuous_pt; eexists;
+  { intros f D.
+    destruct (MVT_gen f 0 t (fun _ => 0)) as (m & _ & E); [auto|intros; apply derivable_continuous_pt; eexists;
       apply is_derive_Reals, D|lra]. }
-  assert (C : c t = c 0) by (apply Const; intros u; unfold c; auto_derive; [repeat split; eexists; eauto|rewrite Dx, Dv; field; lra]).
-  assert (S : s t = s 0) by (apply Const; intros u; unfold s; auto_derive; [repeat split; eexists; eauto|rewrite Dx, Dv; field; lra]).
-  unfold c, s in C, S. rewrite Rmult_0_r, cos_0, sin_0 in C, S. pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC.
-  assert (E : x t * (sin (om * t) * sin (om * t) + cos (om * t) * cos (om * t)) = (x t * cos (om * t) - v t / om * sin (om * t))
-    * cos (om * t) + (x t * sin (om * t) + v t / om * cos (om * t)) * sin (om * t)) by ring.
-  rewrite SC, C, S in E. lra.
+  assert (C : c t = c 0) by (apply Const; intros u; unfold c; auto_derive; [repeat split; eexists; eauto|rewrite Dx, Dv;
+    field; lra]).
+  assert (S : s t = s 0) by (apply Const; intros u; unfold s; auto_derive; [repeat split; eexists; eauto|rewrite Dx, Dv;
+    field; lra]). unfold c, s in C, S. rewrite Rmult_0_r, cos_0, sin_0 in C, S. pose proof (sin2_cos2 (om * t)) as SC.
+  unfold Rsqr in SC. set (co := cos (om * t)) in *. set (si := sin (om * t)) in *.
+  replace (x 0) with (x t * co - v t / om * si) by lra. replace (v 0 / om) with (x t * si + v t / om * co) by lra.
+  split.
+  - transitivity (x t * (si * si + co * co)); [rewrite SC|]; ring.
+  - transitivity ((x t ^ 2 + (v t / om) ^ 2) * (si * si + co * co)); [rewrite SC|]; ring.
 Qed.
 
 (** [plane-stuck-load] A stuck pair in the plane moves on an ellipse; the force on body 2 is within $b$ exactly while
@@ -98,13 +102,15 @@ Theorem stuck_load m1 m2 a2 b (x y v w ax ay : R -> R) : 0 < m1 -> 0 < m2 -> 0 <
 Proof.
   intros Hm1 Hm2 Ha2 Hb D N om L t. assert (Ho : 0 < om) by positive.
   assert (O2 : om * om = a2 / (m1 + m2)) by (apply sqrt_sqrt, Rlt_le; positive).
-  assert (HL : 0 < L) by (unfold L; positive). assert (Ax : forall t, ax t = - (om * om) * x t) by (intros u; destruct
-    (N u); rewrite O2; apply Rmult_eq_reg_l with (m1 + m2); [field_simplify|]; lra).
-  assert (Ay : forall t, ay t = - (om * om) * y t) by (intros u; destruct (N u); rewrite O2; apply Rmult_eq_reg_l with
-    (m1 + m2); [field_simplify|]; lra).
+  assert (HL : 0 < L) by (unfold L; positive).
+  assert (A : forall z c : R, (m1 + m2) * c = - a2 * z -> c = - (om * om) * z).
+  { intros z c Q. rewrite O2. apply Rmult_eq_reg_l with (m1 + m2); [rewrite Q; field|]; lra. }
+  assert (Ax : forall t, ax t = - (om * om) * x t) by (intros; apply A, N).
+  assert (Ay : forall t, ay t = - (om * om) * y t) by (intros; apply A, N).
   assert (Dv : forall t, is_derive v t (- (om * om) * x t)) by (intros u; rewrite <- Ax; apply D).
   assert (Dw : forall t, is_derive w t (- (om * om) * y t)) by (intros u; rewrite <- Ay; apply D).
-  split; [apply oscillator; auto; apply D|]. split; [apply oscillator; auto; apply D|]. split; [|split].
+  destruct (oscillator om x v Ho ltac:(apply D) Dv t) as (X & Ex), (oscillator om y w Ho ltac:(apply D) Dw t) as (Y &
+    Ey). split; [exact X|]. split; [exact Y|]. split; [|split].
   - assert (E : sqrt ((m2 * ax t) ^ 2 + (m2 * ay t) ^ 2) = b / L * sqrt (x t ^ 2 + y t ^ 2)).
     { assert (F : m2 * (om * om) = b / L) by (rewrite O2; unfold L; field; lra).
       rewrite Ax, Ay, <- (sqrt_square (b / L)), <- sqrt_mult by (try positive; pose proof (pow2_ge_0 (x t)); pose proof
@@ -112,18 +118,9 @@ Proof.
     rewrite E. assert (Q : forall z, b / L * z <= b <-> z <= L).
     { split; intros Z; [apply Rmult_le_reg_l with (b / L); [positive|]|apply Rle_trans with (b / L * L); [scale;
         positive|right; field; lra]]. replace (b / L * L) with b by (field; lra). auto. } apply Q.
-  - assert (E : forall x v : R -> R, (forall t, is_derive x t (v t)) -> (forall t, is_derive v t (- (om * om) * x t)) ->
-      a2 * x t ^ 2 / 2 + (m1 + m2) * v t ^ 2 / 2 = a2 * x 0 ^ 2 / 2 + (m1 + m2) * v 0 ^ 2 / 2).
-    { clear - O2 Hm1 Hm2 Ha2. intros x v X V. assert (Z : forall u, is_derive (fun t => a2 * x t ^ 2 / 2 + (m1 + m2) * v t ^ 2 / 2) u 0).
-      { intros u. assert (Dx : Derive (fun u => x u) u = v u) by apply is_derive_unique, X.
-        assert (Dv : Derive (fun u => v u) u = - (om * om) * x u) by apply is_derive_unique, V.
-        auto_derive; [repeat split; eexists; eauto|]. rewrite Dx, Dv, O2. field. lra. }
-      destruct (MVT_gen (fun t => a2 * x t ^ 2 / 2 + (m1 + m2) * v t ^ 2 / 2) 0 t (fun _ => 0)) as (m & _ & E); [auto| |lra].
-      intros u _. apply derivable_continuous_pt. exists 0. apply is_derive_Reals. auto. }
-    pose proof (E x v ltac:(apply D) Dv). pose proof (E y w ltac:(apply D) Dw).
-    assert (P : forall z, (m1 + m2) * z ^ 2 = a2 * (z / om) ^ 2).
+  - assert (P : forall z, (m1 + m2) * z ^ 2 = a2 * (z / om) ^ 2).
     { intros z. replace a2 with ((m1 + m2) * (om * om)) at 1 by (rewrite O2; field; lra). field. lra. }
-    pose proof (P (v 0)). pose proof (P (w 0)). lra.
+    pose proof (P (v t)). pose proof (P (w t)). nra.
   - unfold L. field. lra.
 Qed.
 

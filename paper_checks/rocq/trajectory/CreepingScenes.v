@@ -79,12 +79,12 @@ Lemma table_creeps B n lo hi f x v1 x2 v2 s slips now later e : 0 < B -> solutio
   creeps B n lo hi f x v1 v2.
 Proof.
   intros HB H <- U N S Lo Hi Num. apply entry in U; auto.
-    destruct U as (ta & times & T0 & Wa & Xa & Va & Ea & Ln & Nd & Cs & _).
-  destruct (Num _ _ Xa Va) as (Hx & Hg & Hf). assert (P : 314 / 100 < PI) by interval with (i_prec 60).
+  destruct U as (ta & times & T0 & Wa & Xa & Va & Ea & Ln & Nd & Cs & _). destruct (Num _ _ Xa Va) as (Hx & Hg & Hf).
+  assert (P : 314 / 100 < PI) by interval with (i_prec 60).
   assert (Ee : energy 1 1 200 (x ta) (v1 ta) (v2 ta) = 100 * x ta ^ 2 + v1 ta ^ 2) by (rewrite <- Ea; unfold energy;
     field). assert (Ec : Ecr 1 1 200 B = B ^ 2 / 100) by (unfold Ecr; field). assert (B2 : 0 < B ^ 2) by positive.
-  assert (F := fades 1 1 200 B Rlt_0_1 Rlt_0_1 ltac:(lra) HB x v1 v2 s H ta ltac:(lra) Ea).
-  cbv zeta in F. replace (1 / (1 + 1)) with (1 / 2) in F by field. rewrite Ee, Ec in F. destruct F as (F & Up).
+  assert (F := fades 1 1 200 B Rlt_0_1 Rlt_0_1 ltac:(lra) HB x v1 v2 s H ta ltac:(lra) Ea). cbv zeta in F.
+  replace (1 / (1 + 1)) with (1 / 2) in F by field. rewrite Ee, Ec in F. destruct F as (F & Up).
   - unfold L. lra.
   - nra.
   - apply Rmult_lt_reg_r with (/ (B ^ 2 / 100)); [positive|]. rewrite Rinv_r by lra. unfold Rdiv in Hg at 1. lra.

@@ -5,22 +5,17 @@ From Coq Require Import QArith Qreals List.
 From InertialPair Require Import Dini Pair Pursuit Forced Waves Trajectory Velocities.
 Import ListNotations.
 
-(** slips at the head of a table: until they end the only contacts are those at their ends *)
+(** slips at the head of a table: until they end, at te, the only contacts are those at their ends *)
 Lemma slips_first x v1 x2 v2 e later : forall slips t, (forall m, In m slips -> mode_until m <> Stick) ->
-  unfolds x v1 x2 v2 t (slips ++ later) e -> exists times,
-  Forall2 (fun m r => within (time m) r) slips times /\ (forall r, In r times -> t < r <= List.last times t) /\
-  (forall u, t < u <= List.last times t -> (v1 u = v2 u <-> In u times)) /\ NoDup times /\
-    unfolds x v1 x2 v2 (List.last times t) later e.
+  unfolds x v1 x2 v2 t (slips ++ later) e -> exists times te, t <= te /\
+  Forall2 (fun m r => within (time m) r) slips times /\ (forall r, In r times -> t < r <= te) /\
+  (forall u, t < u <= te -> (v1 u = v2 u <-> In u times)) /\ NoDup times /\ unfolds x v1 x2 v2 te later e.
 Proof.
-  assert (Ll : forall r s (l : list R), List.last (r :: l) s = List.last l r).
-  { intros r s l. revert r s. induction l as [|y l IH]; intros r s; auto.
-    change (List.last (y :: l) s = List.last (y :: l) r). rewrite !IH. auto. }
   induction slips as [|now slips IH]; intros t S U.
-  - exists []. split; [auto|]. split; [intros r []|]. split; [simpl; intros u Hu; lra|auto using NoDup_nil].
+  - exists [], t. split; [lra|]. split; [auto|]. split; [intros r []|]. split; [intros u Hu; lra|auto using NoDup_nil].
   - destruct U as (t1 & Ht1 & W & _ & _ & _ & Ev & Md & U).
-    destruct (IH t1 (fun m Hm => S m (or_intror Hm)) U) as (times & Ws & In1 & Co & Nd & U'). exists (t1 :: times).
-    rewrite Ll. split; [constructor; auto|]. assert (Le : t1 <= List.last times t1).
-    { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
+    destruct (IH t1 (fun m Hm => S m (or_intror Hm)) U) as (times & te & Le & Ws & In1 & Co & Nd & U').
+    exists (t1 :: times), te. split; [lra|]. split; [constructor; auto|].
     split; [|split; [|split; [constructor; auto; intros Q; destruct (In1 _ Q); lra|auto]]].
     + intros r [<-|Hr]; [lra|]. destruct (In1 r Hr); lra.
     + intros u Hu. destruct (Rlt_dec t1 u).
@@ -30,10 +25,6 @@ Proof.
         { destruct (mode_until now) as [[|]|]; simpl in Md; [lra|lra|congruence]. }
         { destruct Q as [->|Q]; [lra|]. destruct (In1 u Q); lra. }
 Qed.
-
-(** lists that are related element by element are of one length *)
-Lemma same_length {A B} (P : A -> B -> Prop) l k : Forall2 P l k -> length k = length l.
-Proof. induction 1; simpl; auto. Qed.
 
 (** among finitely many times is none in some part of every interval *)
 Lemma gap (l : list R) : forall p q, p < q -> exists u, p < u < q /\ ~ In u l.
@@ -70,13 +61,11 @@ Lemma entry x v1 x2 v2 slips now later e : unfolds x v1 x2 v2 0 (slips ++ now ::
       unfolds x v1 x2 v2 ta later e.
 Proof.
   intros U N S. apply slips_first in U; [|intros m Hm; apply S, in_or_app; auto].
-    destruct U as (times & Ws & In1 & Co & Nd & U).
-  assert (P : 0 <= List.last times 0).
-  { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
-  destruct U as (ta & Ha & Wa & Xa & _ & Va & Ea & Ma & U). exists ta, times. split; [lra|]. do 4 (split; [auto|]).
-  split; [exact (same_length _ _ _ Ws)|]. split; [exact Nd|]. split; [|auto]. intros u. split.
+  destruct U as (times & te & P & Ws & In1 & Co & Nd & U). destruct U as (ta & Ha & Wa & Xa & _ & Va & Ea & Ma & U).
+  exists ta, times. split; [lra|]. do 4 (split; [auto|]). split; [clear - Ws; induction Ws; simpl; auto|].
+  split; [exact Nd|]. split; [|auto]. intros u. split.
   - intros Q. destruct (In1 _ Q). split; [lra|]. apply Co; auto; lra.
-  - intros (Hu & Q). destruct (Rle_dec u (List.last times 0)).
+  - intros (Hu & Q). destruct (Rle_dec u te).
     + apply Co; auto. split; [|lra]. destruct (Req_dec u 0) as [->|]; [contradiction|lra].
     + specialize (Ma u ltac:(lra)). assert (M : mode_until now <> Stick) by (apply S, in_or_app; simpl; auto).
       destruct (mode_until now) as [[|]|]; simpl in Ma; [lra|lra|congruence].
@@ -93,18 +82,16 @@ Theorem first_adhesion x v1 v2 s : solution 1 1 0 200 (5 / 100) x v1 v2 s -> x 0
   (forall u, ta <= u <= tb -> v1 u = v2 u) /\ (forall u, tb < u < tc -> v1 u < v2 u) /\
   (forall u, tc <= u <= td -> v1 u = v2 u).
 Proof.
-  intros H X0 V1 V2. assert (Mo : motion the_scene x v1 (integral v2) v2).
-  { apply (speed_motion 0.15 0.05 x v1 v2 s); auto. }
-  pose proof (trajectory x v1 (integral v2) v2 Mo) as U.
+  intros H X0 V1 V2. pose proof (trajectory _ _ _ _ (speed_motion 0.15 0.05 x v1 v2 s H X0 V1 V2)) as U.
   change the_events with (firstn 20 the_events ++ nth 20 the_events (Event Stick (0, 0) (0, 0) (0, 0) (0, 0))%Q ::
     skipn 21 the_events) in U.
   apply entry in U; [|lra|intros m Hm; simpl in Hm; repeat (destruct Hm as [<-|Hm]; [discriminate|]); contradiction].
   destruct U as (ta & times & T0 & Wa & _ & _ & Ea & Ln & _ & Cs' & U).
   assert (Cs : forall u, 0 <= u < ta -> (v1 u = v2 u <-> In u times)) by (intros u Hu; rewrite Cs'; tauto).
-    destruct U as (tb & Hb & Wb & _ & _ & _ & Eb & Mb & U).
-  destruct U as (tc & Hc & Wc & _ & _ & _ & Ec & Mc & U). destruct U as (td & Hd & Wd & _ & _ & _ & Ed & Md & _).
-  unfold within in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd. unfold Q2R in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd.
-  exists ta, tb, tc, td, times. do 4 (split; [lra|]). split; [auto|]. split; [auto|]. split; [|split; [|split]].
+  destruct U as (tb & Hb & Wb & _ & _ & _ & Eb & Mb & U). destruct U as (tc & Hc & Wc & _ & _ & _ & Ec & Mc & U).
+  destruct U as (td & Hd & Wd & _ & _ & _ & Ed & Md & _). unfold within in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd.
+  unfold Q2R in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd. exists ta, tb, tc, td, times. do 4 (split; [lra|]).
+  split; [auto|]. split; [auto|]. split; [|split; [|split]].
   - intros p q Hp Hq. destruct (gap times p q ltac:(lra)) as (u & Hu & N). exists u. split; [lra|].
     rewrite Cs by lra. auto.
   - intros u Hu. destruct (Req_dec u ta) as [->|]; auto. destruct (Req_dec u tb) as [->|]; auto. apply Mb; lra.

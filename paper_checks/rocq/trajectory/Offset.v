@@ -4,7 +4,7 @@ From Coq Require Import Reals QArith Qreals List.
 From Interval.Float Require Import Specific_ops Specific_stdz.
 From Interval.Interval Require Import Float_full.
 From Interval Require Import Tactic.
-From InertialPair Require Import Dini Pair Forced BoundedMotions ModeAtContact Waves Trajectory Velocities.
+From InertialPair Require Import Dini Pair Forced BoundedMotions ForcedCapture Waves Trajectory Velocities.
 Import ListNotations.
 
 Section Table.
@@ -36,30 +36,22 @@ Theorem keeps_offset x v1 v2 s x2 : forced 1 1 1 1 1 half_sine x v1 v2 s -> cont
     Rabs (v1 t - swing' t) <= e /\ Rabs (v2 t - swing' t) <= e /\ Rabs (x2 t - swing t - c) <= e.
 Proof.
   intros H Cx2 Dx2 X0 V0 P0 W0. pose proof Rlt_0_1 as One.
-  assert (DU : forall t, 0 <= t -> rderiv half_sine t (sin t / 2)).
-  { intros t _. apply rderiv_of_derive. unfold half_sine. auto_derive; auto. field. }
-  assert (Ds : forall t, 0 <= t -> rderiv swing t (swing' t)).
-  { intros t _. apply rderiv_of_derive. unfold swing, swing'. auto_derive; auto. field. }
-  assert (Ds' : forall t, rderiv swing' t ((sin t + cos t) / 4)).
-  { intros t. apply rderiv_of_derive. unfold swing'. auto_derive; auto. field. }
-  assert (CU : cont half_sine) by (apply (cont_of_derive _ (fun t => sin t / 2)); intros t; unfold half_sine;
-    auto_derive; auto; field).
-  assert (Cs : cont swing) by (apply (cont_of_derive _ swing'); intros t; unfold swing, swing'; auto_derive; auto;
-    field).
-  assert (Cs' : cont swing') by (apply (cont_of_derive _ (fun t => (sin t + cos t) / 4)); intros t; unfold swing';
-    auto_derive; auto; field). assert (B : forall t, Rabs (sin t) <= 1 /\ Rabs (cos t) <= 1).
-  { intros t. pose proof (SIN_bound t). pose proof (COS_bound t). split; apply Rabs_le; lra. }
+  assert (Eu : forall t, is_derive half_sine t (sin t / 2)) by (intros; unfold half_sine; auto_derive; auto; field).
+  assert (Es : forall t, is_derive swing t (swing' t)) by (intros; unfold swing, swing'; auto_derive; auto; field).
+  assert (Es' : forall t, is_derive swing' t ((sin t + cos t) / 4)) by (intros; unfold swing'; auto_derive; auto;
+    field). pose proof (cont_of_derive _ _ Eu) as CU. pose proof (cont_of_derive _ _ Es) as Cs.
+  pose proof (cont_of_derive _ _ Es') as Cs'.
   assert (F : forced 1 1 1 1 1 half_sine swing swing' swing' (fun t => 1 / 1 * swing' t)).
-  { apply stuck_forced; auto.
+  { apply stuck_forced; auto using rderiv_of_derive.
     - intros t Ht. apply rderiv_eq with ((1 + 1) * ((sin t + cos t) / 4) - sin t / 2); [unfold swing, swing'; field|].
-      apply rderiv_minus; auto. apply rderiv_scal; auto.
+      apply rderiv_minus; [apply rderiv_scal|]; apply rderiv_of_derive; auto.
     - intros p q Hp. replace (1 / 1 * (q - p)) with (1 * (q - p)) by field.
-      apply (lip_of_rderiv swing' (fun t => (sin t + cos t) / 4)); auto. intros u _. split; auto.
-      destruct (B u) as (S & C). apply Rabs_inv in S. apply Rabs_inv in C. apply Rabs_le. lra. }
+      apply (lip_of_rderiv swing' (fun t => (sin t + cos t) / 4)); auto. intros u _.
+      split; [apply rderiv_of_derive; auto|]. pose proof (SIN_bound u). pose proof (COS_bound u). apply Rabs_le. lra. }
   split; [eexists; exact F|]. assert (Mo : motion sine_scene x v1 x2 v2).
   { exists half_sine. unfold sine_scene; simpl. split; [auto|]. split.
-    - intros t Ht. apply rderiv_eq with (2 := DU t Ht). unfold sval, tval, pval; simpl. unfold Q2R; simpl.
-      replace (1 * / 1 * t + 0 * / 1) with t by field. field.
+    - intros t Ht. apply rderiv_eq with (2 := rderiv_of_derive _ _ _ (Eu t)). unfold sval, tval, pval; simpl.
+      unfold Q2R; simpl. replace (1 * / 1 * t + 0 * / 1) with t by field. field.
     - unfold Q2R; simpl. split; [exists s; replace (1 * / 1) with 1 by field; exact H|]. unfold swing, swing' in P0, W0.
       rewrite sin_0, cos_0 in P0, W0. split; [auto|]. split; [auto|]. lra. }
   destruct (C.sound _ _ _ _ _ _ _ _ _ sine_accepted x v1 x2 v2 Mo) as (t1 & T1 & Wt & Wx & Wx2 & Wv & Ev & _).
@@ -69,33 +61,27 @@ Proof.
   assert (Near : forall t, t1 <= t -> dx t ^ 2 + dv t ^ 2 <= 1 / 10).
   { intros t Ht. pose proof (forced_contraction 1 1 1 1 1 One One ltac:(lra) One half_sine _ _ _ _ _ _ _ _ t1 t H F
       ltac:(lra)) as Q. rewrite <- Ev in Q. unfold energy in Q. fold (dx t) (dx t1) (dv t) (dv t1) in Q.
-      pose proof (pow2_ge_0 (v2 t - swing' t)).
-    assert (X1 : Rabs (dx t1) <= 273 / 1000). { unfold dx, swing. interval with (i_prec 60). }
+    pose proof (pow2_ge_0 (v2 t - swing' t)). assert (X1 : Rabs (dx t1) <= 273 / 1000).
+    { unfold dx, swing. interval with (i_prec 60). }
     assert (V1 : Rabs (dv t1) <= 97 / 1000). { unfold dv, swing'. interval with (i_prec 60). }
     apply Rabs_inv in X1. apply Rabs_inv in V1. nra. }
-  assert (Load : forall k t, k = 1 \/ k = -1 -> t1 <= t -> k * load 1 1 1 1 (fun t => sin t / 2) x v1 t <= 1).
-  { intros k t Hk Ht. specialize (Near t Ht). destruct (B t) as (S & C). apply Rabs_inv in S. apply Rabs_inv in C.
-    assert (E : load 1 1 1 1 (fun t => sin t / 2) x v1 t = (sin t + cos t) / 4 - (dx t + dv t) / 2)
-      by (unfold load, dx, dv, swing, swing'; field). rewrite E.
-    pose proof (pow2_ge_0 (dx t - dv t)). assert (- (1 / 2) <= dx t + dv t <= 1 / 2) by (apply sq_le_abs; lra).
-      destruct Hk; subst k; lra. } assert (St : forall t, t1 <= t -> v1 t = v2 t).
-  { intros t Ht. assert (Q : forall k, k = 1 \/ k = -1 -> k * (v1 t - v2 t) <= 0).
-    { intros k Hk. apply (ModeAtContact.stays_behind 1 1 1 1 1 One One half_sine (fun t => sin t / 2) x v1 v2 s 0 t H
-        (Rle_refl
-        0)) with (r := t1); auto; try lra.
-      - intros; apply DU; lra.
-      - rewrite Ev. lra.
-      - intros q Hq. apply Load; auto; lra. }
-    pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)). lra. }
+  assert (St : forall t, t1 <= t -> v1 t = v2 t).
+  { intros t Ht.
+    apply (catch 1 1 1 1 1 One One half_sine (fun t => sin t / 2) x v1 v2 s t1 (1 / 4));
+      auto using rderiv_of_derive; try lra.
+    - intros r Hr. specialize (Near r Hr). pose proof (SIN_bound r). pose proof (COS_bound r).
+      replace (1 * (sin r / 2 - 1 * x r - 1 * v1 r) / (1 + 1)) with ((sin r + cos r) / 4 - (dx r + dv r) / 2)
+        by (unfold dx, dv, swing, swing'; field). pose proof (pow2_ge_0 (dx r - dv r)).
+      assert (- (1 / 2) <= dx r + dv r <= 1 / 2) by (apply sq_le_abs; lra). apply Rabs_le. lra.
+    - rewrite Ev, Rminus_diag_eq, Rabs_R0 by auto. unfold Rdiv. rewrite Rmult_0_l. lra. }
   exists (x2 t1 - x t1). split; [lra|]. intros e He.
   destruct (approach 1 1 1 1 1 One One One One One _ _ _ _ _ _ _ _ _ (1 / 2) H F ltac:(lra)) with (e := e ^ 2 / 2) as
     (T & HT & K); [|positive|].
-  { intros p q Hp. apply (lip_of_rderiv half_sine (fun t => sin t / 2)); auto. intros u Hu. split; auto.
-    destruct (B u) as (S & _). apply Rabs_inv in S. apply Rabs_le. lra. }
+  { intros p q Hp. apply (lip_of_rderiv half_sine (fun t => sin t / 2)); auto. intros u _.
+    split; [apply rderiv_of_derive; auto|]. pose proof (SIN_bound u). apply Rabs_le. lra. }
   exists (Rmax T t1). pose proof (Rmax_l T t1). pose proof (Rmax_r T t1). split; [lra|]. intros t Ht.
-  specialize (K t ltac:(lra)). unfold energy in K.
-  pose proof (pow2_ge_0 (x t - swing t)). pose proof (pow2_ge_0 (v1 t - swing' t)).
-    pose proof (pow2_ge_0 (v2 t - swing' t)).
+  specialize (K t ltac:(lra)). unfold energy in K. pose proof (pow2_ge_0 (x t - swing t)).
+  pose proof (pow2_ge_0 (v1 t - swing' t)). pose proof (pow2_ge_0 (v2 t - swing' t)).
   assert (Q : forall y, y ^ 2 <= e ^ 2 -> Rabs y <= e) by (intros y Hy; apply Rabs_le, sq_le_abs; lra).
   split; [apply Q; lra|]. split; [apply Q; lra|]. assert (Z : (x t - x2 t) - (x t1 - x2 t1) = 0 * (t - t1)).
   { apply (rderiv_line (fun u => x u - x2 u)); [apply cont_minus; [exact (f_cx _ _ _ _ _ _ _ _ _ _ H)|auto]|lra|].

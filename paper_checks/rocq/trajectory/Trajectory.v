@@ -126,17 +126,18 @@ Proof.
   exists (late z), (late u1), (fun t => integral (late u2) t - integral (late u2) (S + r)), (late u2).
   split; [|split; [|split; [|split]]].
   - rewrite <- (Rplus_0_r (S + r)), !L by lra. repeat split; auto; lra.
-  - replace (S + d) with (S + r + (d - r)) by ring. eapply forced_obeys; eauto; [lra| |].
-    + intros t Hu. replace (S + r + t) with (S + (r + t)) by ring. apply rderiv_earlier, DU. lra.
-    + intros t Hu. rewrite !L by lra. auto.
+  - replace (S + d) with (S + r + (d - r)) by ring. eapply forced_obeys; eauto; [lra| |]; intros t Hu.
+    + rewrite Rplus_assoc. apply rderiv_earlier, DU. lra.
+    + rewrite !L by lra. auto.
   - apply cont_minus; [apply integral_cont, C|apply cont_const].
   - intros t Hu. apply rderiv_eq with (late u2 t - 0); [ring|].
     apply rderiv_minus; [apply integral_rderiv; auto|apply rderiv_const].
-  - intros t Hu. assert (T : exists u, t = S + r + u /\ 0 <= u <= d - r) by (exists (t - (S + r)); lra).
-    destruct T as (u & -> & Hu').
+  - intros t Hu. replace t with (S + r + (t - (S + r))) by ring. set (u := t - (S + r)).
+    assert (Hu' : 0 <= u <= d - r) by (unfold u; lra).
     pose proof (forced_contraction M1 M2 A1 A2 B Hm1 Hm2 Ha1 HB _ _ _ _ _ _ _ _ _ 0 u Sh G ltac:(lra)) as Q.
-    cbv beta in Q. rewrite Rplus_0_r in Q. rewrite !L by lra. replace (S + r + u) with (S + (r + u)) by ring.
-    destruct (E r Hr) as (-> & -> & ->), (E (r + u) ltac:(lra)) as (-> & -> & ->). rewrite <- Z0, <- U10, <- U20. exact Q.
+    cbv beta in Q. rewrite Rplus_0_r in Q. rewrite !L, Rplus_assoc by lra.
+    destruct (E r Hr) as (-> & -> & ->), (E (r + u) ltac:(lra)) as (-> & -> & ->). rewrite <- Z0, <- U10, <- U20.
+    exact Q.
 Qed.
 
 (** spell after spell *)
@@ -150,46 +151,30 @@ Fixpoint runs x v1 v2 now later : Prop := 0 < Q2R (friction now) /\ 0 <= Q2R (si
 Fixpoint in_order now later : Prop := 0 < Q2R (friction now) /\ 0 <= Q2R (since now) /\ match later with
   | next :: later => Q2R (since now) < Q2R (since next) /\ in_order next later | [] => True end.
 
-Lemma force_now now later t : in_order now later ->
-  (match later with next :: _ => t < Q2R (since next) | [] => True end) ->
-  force_at now later t = sval real (in_R (push now)) t.
-Proof. intros _. destruct later as [|next later]; simpl; auto. intros Ht. destruct Rlt_dec; auto; lra. Qed.
-
-Lemma varying_runs later : forall now U U' x v1 v2 x' v1' v2', in_order now later ->
-  (forall t, Q2R (since now) <= t -> rderiv U t (force_at now later t)) ->
-  (forall t, 0 <= t -> U' t = U (Q2R (since now) + t) /\ x' t = x (Q2R (since now) + t) /\
-    v1' t = v1 (Q2R (since now) + t) /\ v2' t = v2 (Q2R (since now) + t)) ->
-  varying M1 M2 A1 A2 (pieces now later) (last_friction now later) U' x' v1' v2' -> runs x v1 v2 now later.
+(** U, x', v1' and v2' run from the time at which the first spell begins *)
+Lemma varying_runs x v1 v2 later : forall now U x' v1' v2', in_order now later ->
+  (forall t, 0 <= t -> rderiv U t (force_at now later (Q2R (since now) + t))) ->
+  (forall t, 0 <= t ->
+    x (Q2R (since now) + t) = x' t /\ v1 (Q2R (since now) + t) = v1' t /\ v2 (Q2R (since now) + t) = v2' t) ->
+  varying M1 M2 A1 A2 (pieces now later) (last_friction now later) U x' v1' v2' -> runs x v1 v2 now later.
 Proof.
-  assert (Push : forall now later U U', in_order now later ->
-    (forall t, Q2R (since now) <= t -> rderiv U t (force_at now later t)) ->
-    (forall t, 0 <= t -> U' t = U (Q2R (since now) + t)) -> forall t, 0 <= t ->
-    rderiv U' t (force_at now later (Q2R (since now) + t))).
-  { intros now later' U U' O DU E t Ht. apply rderiv_ext with (fun t => U (Q2R (since now) + t)).
-    - intros u Hu. symmetry. apply E. lra.
-    - apply rderiv_earlier, DU. lra. }
-  induction later as [|next later IH]; intros now U U' x v1 v2 x' v1' v2' O DU E V.
-  - pose proof (Push now [] U U' O DU (fun t Ht => proj1 (E t Ht))) as P. destruct O as (Hb & Hs & _).
-    split; [auto|]. split; [auto|]. intros hi. destruct V as (s & F). unfold last_friction in F; simpl in F.
+  induction later as [|next later IH]; intros now U x' v1' v2' O DU E V.
+  - destruct O as (Hb & Hs & _). split; [auto|]. split; [auto|]. intros hi. destruct V as (s & F).
     destruct (Rle_dec (Q2R (since now)) hi) as [Hh|Hh].
     + replace hi with (Q2R (since now) + (hi - Q2R (since now))) by ring.
-      apply (forced_follows _ _ U' x' v1' v2' s); auto.
-      * intros t Ht. apply P; lra.
-      * intros t Ht. destruct (E t ltac:(lra)) as (_ & -> & -> & ->). auto.
+      apply (forced_follows _ _ U x' v1' v2' s); auto; intros t Ht; [apply DU|apply E]; lra.
     + split; [intros t0 T X V1 V2 g Ht HT Hd|intros t0 X V1 V2 Ht]; exfalso; lra.
-  - pose proof (Push now (next :: later) U U' O DU (fun t Ht => proj1 (E t Ht))) as P. pose proof O as O'.
-    destruct O as (Hb & Hs & Hn & O). split; [auto|]. split; [auto|]. split; [auto|].
-    cbn [pieces varying last_friction] in V. destruct V as ((y & w1 & w2 & s & F & K) & V). split.
-    + assert (Ob : follows (Q2R (friction now)) (in_R (push now)) (Q2R (since now))
-        (Q2R (since now) + (Q2R (since next) - Q2R (since now))) x v1 v2).
-      { apply (forced_follows _ _ U' y w1 w2 s); auto.
-        - intros t Ht. rewrite <- (force_now now (next :: later)) by (auto; lra). apply P; lra.
-        - intros t Ht. destruct (K t Ht) as (<- & <- & <-). destruct (E t ltac:(lra)) as (_ & -> & -> & ->). auto. }
-      replace (Q2R (since now) + (Q2R (since next) - Q2R (since now))) with (Q2R (since next)) in Ob by ring. exact Ob.
-    + refine (IH next U _ x v1 v2 _ _ _ O _ _ V).
-      * intros t Ht. specialize (DU t ltac:(lra)). simpl in DU. destruct Rlt_dec in DU; [lra|auto].
-      * intros t Ht. cbv beta. destruct (E (Q2R (since next) - Q2R (since now) + t)) as (-> & -> & -> & ->); [lra|].
-        replace (Q2R (since now) + (Q2R (since next) - Q2R (since now) + t)) with (Q2R (since next) + t) by ring. auto.
+  - destruct O as (Hb & Hs & Hn & O). split; [auto|]. split; [auto|]. split; [auto|].
+    destruct V as ((y & w1 & w2 & s & F & K) & V). set (d := Q2R (since next) - Q2R (since now)) in *. split.
+    + replace (Q2R (since next)) with (Q2R (since now) + d) by (unfold d; ring).
+      apply (forced_follows _ _ U y w1 w2 s); auto; intros t Ht.
+      * specialize (DU t ltac:(lra)). simpl in DU. destruct Rlt_dec in DU; [exact DU|unfold d in Ht; lra].
+      * destruct (K t Ht) as (<- & <- & <-). apply E. lra.
+    + assert (Hd : forall t, Q2R (since now) + (d + t) = Q2R (since next) + t) by (intros; unfold d; ring).
+      refine (IH next _ _ _ _ O _ _ V); intros t Ht; rewrite <- Hd.
+      * apply rderiv_earlier. eapply rderiv_eq; [|apply DU; unfold d; lra]. simpl. rewrite Hd.
+        destruct Rlt_dec; [lra|auto].
+      * apply E. unfold d. lra.
 Qed.
 End Spells.
 
@@ -197,7 +182,7 @@ End Spells.
 (** rational numbers; their sines are not asked for *)
 Definition rational := Arith 0%Q Qplus Qminus Qmult Qdiv Qopp (fun q => q) (fun q => q).
 Lemma in_R_padd l : forall k, map Q2R (padd rational l k) = padd real (map Q2R l) (map Q2R k).
-Proof. induction l as [|c l IH]; intros [|d k]; auto. cbn [padd map]. rewrite IH. simpl. rewrite Q2R_plus. auto. Qed.
+Proof. induction l as [|c l IH]; intros [|d k]; auto. cbn [padd map]. rewrite IH. rewrite Q2R_plus. auto. Qed.
 Lemma in_R_dpoly l : map Q2R (dpoly rational l) = dpoly real (map Q2R l).
 Proof.
   induction l as [|c [|d l] IH]; auto. change (dpoly rational (c :: d :: l)) with
@@ -211,7 +196,7 @@ Definition vanishes := forallb (Qeq_bool 0).
 Lemma vanishes_spec l u : vanishes l = true -> pval real (map Q2R l) u = 0.
 Proof.
   induction l as [|c l IH]; auto. cbn [vanishes forallb map]. intros E. apply andb_true_iff in E. destruct E as (E & F).
-  rewrite pval_cons, IH by auto. apply Qeq_bool_iff, Qeq_eqR in E. rewrite <- E, RMicromega.Q2R_0. ring.
+  rewrite pval_cons, IH by auto. apply Qeq_bool_iff, Qeq_eqR in E. lra.
 Qed.
 (** m y'' + a1 y' + a2 y = f *)
 Fixpoint tones_answer m a1 a2 (ys fs : list (tone Q)) : bool := match ys, fs with
@@ -235,12 +220,10 @@ Proof.
   generalize (pval real (dpoly real (dpoly real (map Q2R (poly y)))) (t - Q2R (from f))).
   generalize (pval real (dpoly real (map Q2R (poly y))) (t - Q2R (from f))).
   generalize (pval real (map Q2R (poly y)) (t - Q2R (from f))).
-  generalize (pval real (map Q2R (poly f)) (t - Q2R (from f))).
-  replace (Q2R (-1)) with (-1) by (unfold Q2R; simpl; field). intros p0 p1 p2 p3 V. revert W.
-  generalize (tones f). induction (tones y) as [|z zs IH]; intros [|w ws]; cbn [tones_answer map fold_right];
-    try discriminate; [intros _; lra|].
-  intros W. cbn [forallb] in W. rewrite !andb_true_iff in W.
-  destruct W as (((W & P) & S & C & S' & C' & _) & Rest). rewrite <- (IH ws Rest). clear IH.
+  generalize (pval real (map Q2R (poly f)) (t - Q2R (from f))). intros p0 p1 p2 p3 V. revert W. generalize (tones f).
+  induction (tones y) as [|z zs IH]; intros [|w ws]; cbn [tones_answer map fold_right];
+    try discriminate; [intros _; lra|]. intros W. cbn [forallb] in W. rewrite !andb_true_iff in W.
+  destruct W as (((W & P) & S & C & S' & C' & _) & Rest). rewrite <- (IH ws Rest).
   apply Qeq_bool_iff, Qeq_eqR in W, P, S, C, S', C'.
   cbn [dtone in_sine in_cosine rise_sine rise_cosine turn phase add sub neg mul rational] in S, C, S', C'.
   unfold tval; simpl. rewrite <- W, <- P, <- S, <- C, <- S', <- C'.
@@ -265,17 +248,10 @@ Lemma energy_triangle m1 m2 a2 x v1 v2 y w1 w2 p q : 0 <= m1 -> 0 <= m2 -> 0 <= 
   energy m1 m2 a2 x v1 v2 <= p ^ 2 -> energy m1 m2 a2 y w1 w2 <= q ^ 2 ->
   energy m1 m2 a2 (x + y) (v1 + w1) (v2 + w2) <= (p + q) ^ 2.
 Proof.
-  intros H1 H2 H3 Hp Hq E F. set (c := a2 * (x * y) / 2 + m1 * (v1 * w1) / 2 + m2 * (v2 * w2) / 2).
-  assert (S : 0 <= energy m1 m2 a2 (q * x - p * y) (q * v1 - p * w1) (q * v2 - p * w2)).
-  { unfold energy. pose proof (pow2_ge_0 (q * x - p * y)). pose proof (pow2_ge_0 (q * v1 - p * w1)).
-    pose proof (pow2_ge_0 (q * v2 - p * w2)). nra. }
-  assert (T : energy m1 m2 a2 (q * x - p * y) (q * v1 - p * w1) (q * v2 - p * w2) =
-    q ^ 2 * energy m1 m2 a2 x v1 v2 + p ^ 2 * energy m1 m2 a2 y w1 w2 - 2 * (p * q) * c) by (unfold energy, c; field).
-  assert (U : energy m1 m2 a2 (x + y) (v1 + w1) (v2 + w2) =
-    energy m1 m2 a2 x v1 v2 + energy m1 m2 a2 y w1 w2 + 2 * c) by (unfold energy, c; field).
-  assert (c <= p * q); [|nra]. apply Rmult_le_reg_l with (2 * (p * q)); [nra|].
-  assert (q ^ 2 * energy m1 m2 a2 x v1 v2 <= q ^ 2 * p ^ 2) by (apply Rmult_le_compat_l; nra).
-  assert (p ^ 2 * energy m1 m2 a2 y w1 w2 <= p ^ 2 * q ^ 2) by (apply Rmult_le_compat_l; nra). nra.
+  intros H1 H2 H3 Hp Hq E F. assert (S : 0 <= energy m1 m2 a2 (q * x - p * y) (q * v1 - p * w1) (q * v2 - p * w2)).
+  { unfold energy. positive. }
+  apply (Rmult_le_compat_l (q * (p + q))) in E; [|positive]. apply (Rmult_le_compat_l (p * (p + q))) in F; [|positive].
+  apply Rmult_le_reg_l with (p * q); [positive|]. unfold energy in *. lra.
 Qed.
 (** each part of what is small is small *)
 Lemma energy_part m c e r : 0 < m -> m * c ^ 2 / 2 <= e -> e <= r ^ 2 -> 0 <= r -> Rabs c <= r * sqrt (2 / m).
@@ -291,17 +267,11 @@ Inductive start := Off | Touch | Edge (ahead : bool).
 (** the rational numbers that are checked to be positive, or in order *)
 Definition posQ q := (0 <? Qnum q)%Z.
 Lemma posQ_spec q : posQ q = true -> 0 < Q2R q.
-Proof.
-  intros H. apply Z.ltb_lt in H. unfold Q2R. apply Rmult_lt_0_compat; [apply (IZR_lt 0); auto|].
-  apply Rinv_0_lt_compat, (IZR_lt 0). apply Pos2Z.is_pos.
-Qed.
+Proof. intros H. apply Z.ltb_lt in H. rewrite <- RMicromega.Q2R_0. apply Qlt_Rlt. unfold Qlt. simpl. lia. Qed.
 (** not negative *)
 Definition nonnegQ q := (0 <=? Qnum q)%Z.
 Lemma nonnegQ_spec q : nonnegQ q = true -> 0 <= Q2R q.
-Proof.
-  intros H. apply Z.leb_le in H. unfold Q2R. apply Rmult_le_pos; [apply (IZR_le 0); auto|].
-  apply Rlt_le, Rinv_0_lt_compat, (IZR_lt 0). apply Pos2Z.is_pos.
-Qed.
+Proof. intros H. apply Z.leb_le in H. rewrite <- RMicromega.Q2R_0. apply Qle_Rle. unfold Qle. simpl. lia. Qed.
 (** the middle of two *)
 Definition mid p q := Qred ((p + q) * (1 # 2)).
 Lemma mid_spec p q : Q2R (mid p q) = (Q2R p + Q2R q) / 2.
@@ -382,30 +352,26 @@ Lemma has_rat q : has (rat q) (Q2R q).
 Proof. apply J.div_correct; apply I.fromZ_correct. Qed.
 Lemma has_hull q r u : Q2R q <= u <= Q2R r -> has (hull q r) u.
 Proof. intros Hu. exact (J.join_correct _ _ _ _ _ (has_rat q) (has_rat r) Hu). Qed.
-Lemma has_by_slope f (g : R -> R) i r : (forall i r, has i r -> has (f i) (g r)) ->
-  (forall a b, Rabs (g b - g a) <= 1 * Rabs (b - a)) -> has i r -> has (by_slope f i) (g r).
+Lemma has_by_slope f (g g' : R -> R) i r : (forall i r, has i r -> has (f i) (g r)) ->
+  (forall x, is_derive g x (g' x) /\ -1 <= g' x <= 1) -> has i r -> has (by_slope f i) (g r).
 Proof.
-  intros F L Hi. unfold by_slope. destruct (pos _); auto. destruct (pos _); auto.
+  intros F D Hi. unfold by_slope. destruct (pos _); auto. destruct (pos _); auto.
   pose proof (I.singleton_correct (I.midpoint i)) as Hc. set (c := proj_val _) in Hc.
-  assert (E : exists k, -1 <= k <= 1 /\ g r = g c + (r - c) * k).
-  { destruct (Req_dec r c) as [->|N]; [exists 0; lra|]. exists ((g r - g c) / (r - c)). split; [|field; lra].
-    apply Rabs_inv. rewrite Rabs_div by lra. apply Rmult_le_reg_r with (Rabs (r - c)); [apply Rabs_pos_lt; lra|].
-    unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by (apply Rabs_no_R0; lra). apply L. }
-  destruct E as (k & Hk & ->).
+  destruct (MVT_gen g c r g') as (z & _ & E); [intros; apply D| |].
+  { intros. apply derivable_continuous_pt. eexists. apply is_derive_Reals, D. }
+  replace (g r) with (g c + (r - c) * g' z) by lra.
   refine (J.add_correct p _ _ _ _ (F _ _ Hc) (J.mul_correct p _ _ _ _ (J.sub_correct p _ _ _ _ Hi Hc) _)).
-  apply has_hull. replace (Q2R (-1)) with (-1) by (unfold Q2R; simpl; lra). rewrite RMicromega.Q2R_1. auto.
+  apply has_hull. pose proof (proj2 (D z)). lra.
 Qed.
 Lemma has_sin_by i r : has i r -> has (sin_by i) (sin r).
 Proof.
-  apply has_by_slope; [apply J.sin_correct|]. intros a b.
-  destruct (MVT_abs sin cos a b (fun c _ => derivable_pt_lim_sin c)) as (c & -> & _).
-  apply Rmult_le_compat_r; [apply Rabs_pos|]. apply Rabs_le, COS_bound.
+  apply (has_by_slope _ _ cos); [apply J.sin_correct|]. intros x.
+  split; [apply is_derive_Reals, derivable_pt_lim_sin|apply COS_bound].
 Qed.
 Lemma has_cos_by i r : has i r -> has (cos_by i) (cos r).
 Proof.
-  apply has_by_slope; [apply J.cos_correct|]. intros a b.
-  destruct (MVT_abs cos (fun c => - sin c) a b (fun c _ => derivable_pt_lim_cos c)) as (c & -> & _).
-  apply Rmult_le_compat_r; [apply Rabs_pos|]. rewrite Rabs_Ropp. apply Rabs_le, SIN_bound.
+  apply (has_by_slope _ _ (fun x => - sin x)); [apply J.cos_correct|]. intros x.
+  split; [apply is_derive_Reals, derivable_pt_lim_cos|pose proof (SIN_bound x); lra].
 Qed.
 
 (** what a swing is made of at a time; beyond the critical damping two exponentials, which are bounded one by one *)
@@ -468,8 +434,8 @@ Proof.
 Qed.
 Lemma has_dsteady Y y : has_steady Y y -> has_steady (dsteady boxes Y) (dsteady real y).
 Proof.
-  intros []. constructor; cbn [from poly tones dsteady]; auto using has_dpoly.
-  apply (has_map has_tone); auto. intros Z z []. constructor; cbn [in_sine in_cosine rise_sine rise_cosine turn phase dtone]; has.
+  intros []. constructor; cbn [from poly tones dsteady]; auto using has_dpoly. apply (has_map has_tone); auto.
+  intros Z z []. constructor; cbn [in_sine in_cosine rise_sine rise_cosine turn phase dtone]; has.
 Qed.
 Lemma has_scaled F f Y y : (forall i r, has i r -> has (F i) (f r)) -> has_steady Y y ->
   has_steady (scaled F Y) (scaled f y).
@@ -490,7 +456,7 @@ Lemma has_swing G g D d C c Y y T t X x V v : has G g -> has D d -> has C c -> h
 Proof.
   intros HG HD HC HY HT HX HV. pose proof (has_sval Y y T t HY HT).
   pose proof (has_sval _ _ T t (has_dsteady Y y HY) HT).
-  unfold swing. constructor; cbn [still drift even odd decay square clock answer]; auto; has; auto.
+  constructor; cbn [swing still drift even odd decay square clock answer]; has; auto.
 Qed.
 Lemma has_sloped F f : has_parts F f -> has_parts (sloped boxes F) (slope f).
 Proof.
@@ -501,36 +467,29 @@ Section Kit.
 Context (K : kit I.type) (k : kit R) (HK : has_kit K k).
 Lemma has_slide s T t X x V v : has T t -> has X x -> has V v ->
   has_parts (slide boxes K s T X V) (slide real k s t x v).
-Proof. intros. destruct HK. apply has_swing; auto. pose proof (has_signed s _ _ h_kb0). has. Qed.
+Proof. destruct HK. apply has_swing; auto. pose proof (has_signed s _ _ h_kb0). has. Qed.
 Lemma has_drive s V v U u : has V v -> has U u -> has (drive boxes K s V U) (drive real k s v u).
 Proof. intros. pose proof (has_signed s _ _ (h_kb _ _ HK)). pose proof (h_k2 _ _ HK). unfold drive. has. Qed.
 Lemma has_stuck T t X x V v : has T t -> has X x -> has V v -> has_parts (stuck boxes K T X V) (stuck real k t x v).
-Proof. destruct HK. intros. apply has_swing; auto. has. Qed.
+Proof. destruct HK. apply has_swing; auto. has. Qed.
 Lemma has_guard s T t X x V v W w : has T t -> has X x -> has V v -> has W w ->
   has_parts (guard boxes K s T X V W) (guard real k s t x v w).
 Proof.
   intros HT HX HV HW. destruct (has_sloped _ _ (has_slide s T t X x V v HT HX HV)). destruct HK. unfold guard, guard_of.
-  constructor; cbn [still drift even odd decay square clock answer]; auto using has_signed; try (has; fail).
-  - apply J.neg_correct, has_signed; auto.
-  - apply has_scaled; auto using has_signed.
+  constructor; cbn [still drift even odd decay square clock answer]; auto using has_signed, has_scaled;
+    first [has; fail | apply J.neg_correct, has_signed; auto].
 Qed.
 Lemma has_grip s T t X x V v : has T t -> has X x -> has V v ->
   has_parts (grip boxes K s T X V) (grip real k s t x v).
 Proof.
   intros HT HX HV. destruct (has_sloped _ _ (has_sloped _ _ (has_stuck T t X x V v HT HX HV))). destruct HK.
-  unfold grip, grip_of. constructor; cbn [still drift even odd decay square clock answer]; auto; try (has; fail);
-    try (apply J.neg_correct, has_signed; auto).
-  apply has_scaled; auto. intros. apply J.neg_correct, has_signed; auto.
+  unfold grip, grip_of. constructor; cbn [still drift even odd decay square clock answer]; auto;
+    first [has; fail | apply has_scaled; auto; intros | idtac]; apply J.neg_correct, has_signed; auto.
 Qed.
 Lemma has_edge s T t V v : has T t -> has V v -> has (edge boxes K s T V) (edge real k s t v).
-Proof.
-  intros HT HV. destruct HK. unfold edge. pose proof (has_sval _ _ T t (h_force _ _ HK) HT).
-  assert (has (signed boxes s (div boxes (mul boxes (kb K) (kM K)) (k2 K))) (signed real s (kb k * kM k / k2 k))).
-  { apply has_signed. has. }
-  has.
-Qed.
+Proof. intros HT HV. destruct HK. unfold edge. has; [apply has_sval|apply has_signed; has]; auto. Qed.
 Lemma has_spare T t X x V v : has T t -> has X x -> has V v -> has (spare boxes K T X V) (spare real k t x v).
-Proof. intros HT HX HV. destruct HK. unfold spare. pose proof (has_sval _ _ T t h_force0 HT). has. Qed.
+Proof. intros HT HX HV. destruct HK. unfold spare. has; apply has_sval; auto. Qed.
 End Kit.
 End Precision.
 Ltac has := cbn [add sub mul div neg zero sin_of cos_of real boxes]; repeat first [assumption | apply has_rat
@@ -563,8 +522,8 @@ Proof.
 Qed.
 Lemma sung_spec p F f u i : has_wave F f -> has i u -> has_sung (clock f + u) (sung p F i) (angles f).
 Proof.
-  intros [[] _ _] Hu. unfold sung, angles, has_sung. apply (has_map has_tone); [|apply h_answer0].
-  intros Z z []. cbn [fst snd]. split; has.
+  intros [[] _ _] Hu. unfold sung, angles, has_sung. apply (has_map has_tone); [|apply h_answer0]. intros Z z [].
+  split; has.
 Qed.
 Lemma has_made p F f u i b bs : has_wave F f -> has i u -> has_swung (side F) (decay f) (square f) u b ->
   has_sung (clock f + u) bs (angles f) -> has (made p F i b bs) (val f u).
@@ -589,7 +548,8 @@ Proof. intros []. constructor; cbn [steep parts side root]; auto using has_slope
 Lemma has_shared p F f G g u i : has_wave F f -> has i u -> has_wave G g -> side G = side F -> decay g = decay f ->
   square g = square f -> clock g = clock f -> angles g = angles f -> has (made p G i (swung p F i) (sung p F i)) (val g u).
 Proof.
-  intros W Hi V S D Q C A. apply has_made; auto; [rewrite S, D, Q; apply swung_spec|rewrite C, A; apply sung_spec]; auto.
+  intros W Hi V S D Q C A.
+  apply has_made; auto; [rewrite S, D, Q; apply swung_spec|rewrite C, A; apply sung_spec]; auto.
 Qed.
 Lemma angles_slope f : angles (slope f) = angles f.
 Proof. unfold angles. cbn. rewrite map_map. reflexivity. Qed.
@@ -626,8 +586,8 @@ Proof.
   { intros. apply (has_shared q F f); auto. rewrite !angles_slope. auto. }
   induction n as [|n IH]; intros a b; cbn [stays]; cbv zeta; intros St Hab Pa Pb u Hu; revert St.
   all: destruct (pos (made q F _ _ _)) eqn:E0; [intros _; apply (pos_spec _ _ E0), has_value, has_hull; auto|].
-  all: destruct (nonneg (made q (steep q F) _ _ _)) eqn:E1;
-    [intros _; apply (rising_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply (nonneg_spec _ _ E1), S', has_hull; auto|].
+  all: destruct (nonneg (made q (steep q F) _ _ _)) eqn:E1; [intros _; apply (rising_positive f (Q2R a) (Q2R b)); auto;
+    intros r Hr; apply (nonneg_spec _ _ E1), S', has_hull; auto|].
   all: destruct (nonneg (I.neg (made q (steep q F) _ _ _))) eqn:E2;
     [intros _; apply (falling_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply Ropp_le_cancel; rewrite Ropp_0;
       apply (nonneg_spec _ _ E2), J.neg_correct, S', has_hull; auto|].
@@ -642,7 +602,7 @@ Proof.
   - destruct (pos (value q F (rat q (mid a b)))) eqn:E4; [|discriminate].
     destruct (stays n F (steep q F) (steep q (steep q F)) a (mid a b)) eqn:E5; [|discriminate]. intros St.
     assert (Pc : 0 < val f (Q2R (mid a b))) by (apply (pos_spec _ _ E4), has_value, has_rat; auto).
-    pose proof (mid_spec a b) as Mid. destruct (Rle_dec u (Q2R (mid a b))).
+    destruct (Rle_dec u (Q2R (mid a b))).
     + apply (IH a (mid a b)); auto; lra.
     + apply (IH (mid a b) b); auto; lra.
 Qed.
@@ -659,8 +619,7 @@ Proof.
   1, 3: injection E as <-; split; [lra|]; intros u Hu; apply (pos_spec _ _ E0), has_value, has_hull; auto;
     rewrite RMicromega.Q2R_0; auto.
   - discriminate.
-  - pose proof (mid_spec 0 d) as Mid. rewrite RMicromega.Q2R_0 in Mid. destruct (IH (mid 0 d) E) as (Q & P); [lra|].
-    split; [lra|auto].
+  - pose proof (mid_spec 0 d) as Mid. destruct (IH (mid 0 d) E) as (Q & P); [lra|]. split; [lra|auto].
 Qed.
 
 (** positive after 0 up to b, whatever the start is *)
@@ -681,10 +640,8 @@ Lemma begins_spec how k F f b at_b : has_wave F f -> has at_b (val f (Q2R b)) ->
 Proof.
   intros W Hb0 B At Ae. pose proof (has_steep q _ _ W) as W'. pose proof (has_steep q _ _ W') as W''.
   unfold begins in B. apply andb_true_iff in B. destruct B as (B & C). apply andb_true_iff in B.
-    destruct B as (Hb & Pb).
-  apply posQ_spec in Hb. apply pos_spec with (r := val f (Q2R b)) in Pb; [|auto].
-  split; auto. pose proof (mid_spec 0 b) as Mid. rewrite RMicromega.Q2R_0 in Mid.
-  assert (Rest : forall d, 0 < Q2R d <= Q2R (mid 0 b) ->
+  destruct B as (Hb & Pb). apply posQ_spec in Hb. apply pos_spec with (r := val f (Q2R b)) in Pb; [|auto]. split; auto.
+  pose proof (mid_spec 0 b) as Mid. assert (Rest : forall d, 0 < Q2R d <= Q2R (mid 0 b) ->
     pos (value q F (rat q d)) && stays depth F (steep q F) (steep q (steep q F)) d b = true ->
     (forall u, 0 < u <= Q2R d -> 0 < val f u) -> forall u, 0 < u <= Q2R b -> 0 < val f u).
   { intros d Hd E Q u Hu. apply andb_true_iff in E. destruct E as (Pd & St). destruct (Rle_dec u (Q2R d));
@@ -698,10 +655,10 @@ Proof.
     destruct (early_spec _ _ _ _ _ W' E ltac:(lra)) as (Hd & Q). apply (Rest d); auto.
     apply leaves_zero; auto. rewrite (At eq_refl); lra.
   - apply andb_true_iff in C. destruct C as (Hk & C). apply eqb_prop in Hk. subst k'. destruct (Ae eq_refl) as (Z & S).
-    rewrite Z. split; [lra|]. destruct (early depth (steep q (steep q F)) (mid 0 b)) as [d|] eqn:E; [|discriminate].
+    split; [lra|]. destruct (early depth (steep q (steep q F)) (mid 0 b)) as [d|] eqn:E; [|discriminate].
     destruct (early_spec _ _ _ _ _ W'' E ltac:(lra)) as (Hd & Q). apply (Rest d); auto. intros u Hu.
-    destruct (val_mean f 0 u ltac:(lra)) as (c & Hc & Ef). rewrite Z in Ef.
-    assert (0 < val (slope f) c); [|nra]. apply (leaves_zero (slope f) (Q2R d)); auto; lra.
+    destruct (val_mean f 0 u ltac:(lra)) as (c & Hc & Ef). assert (0 < val (slope f) c); [|nra].
+    apply (leaves_zero (slope f) (Q2R d)); auto; lra.
 Qed.
 
 
@@ -739,13 +696,13 @@ Definition near F known least most d := I.add p known (I.mul p (value q (steep q
 Lemma has_near F f known least most i u : has_wave F f -> has known (val f (Q2R most)) -> Q2R least <= u <= Q2R most ->
   has i (u - Q2R most) -> has (near F known least most i) (val f u).
 Proof.
-  intros W Hk Hu Hi. assert (E : exists c, Q2R least <= c <= Q2R most /\
-    val f u = val f (Q2R most) + val (slope f) c * (u - Q2R most)).
-  { destruct (Req_dec u (Q2R most)) as [->|]; [exists (Q2R most); split; [lra|ring]|].
-    destruct (val_mean f u (Q2R most) ltac:(lra)) as (c & Hc & E). exists c. split; [lra|]. lra. }
-  destruct E as (c & Hc & ->). unfold near. assert (has (value q (steep q F) (hull p least most)) (val (slope f) c)).
-  { apply has_value; [apply has_steep; auto|apply has_hull; auto]. }
-  has.
+  intros W Hk Hu Hi. destruct (MVT_gen (val f) (Q2R most) u (val (slope f))) as (c & Hc & E).
+  { intros. apply derive_val. }
+  { intros. apply derivable_continuous_pt. eexists. apply is_derive_Reals, derive_val. }
+  rewrite Rmin_right, Rmax_left in Hc by lra.
+  replace (val f u) with (val f (Q2R most) + val (slope f) c * (u - Q2R most)) by lra. unfold near.
+  assert (has (value q (steep q F) (hull p least most)) (val (slope f) c)) by (apply has_value;
+    [apply has_steep; auto|apply has_hull; lra]). has.
 Qed.
 
 (** inside the bounds *)
@@ -909,6 +866,8 @@ Let A1 := Q2R (a1 sc).
 Let A2 := Q2R (a2 sc).
 Hypotheses (Hm1 : 0 < M1) (Hm2 : 0 < M2) (Ha1 : 0 <= A1) (Ha2 : 0 < A2).
 
+Lemma both_spec : Q2R (both sc) = M1 + M2.
+Proof. apply Q2R_plus. Qed.
 (** the sign of a rational number *)
 Lemma on_side_Q d : on_side (d ?= 0)%Q (Q2R d).
 Proof.
@@ -920,7 +879,7 @@ Proof.
   unfold sval, in_R; cbn [tones poly from map fold_right]. rewrite !pval_cons, !vanishes_spec by auto. ring.
 Qed.
 Lemma not_0 m : 0 < Q2R m -> ~ (m == 0)%Q.
-Proof. intros Hm E. apply Qeq_eqR in E. rewrite RMicromega.Q2R_0 in E. lra. Qed.
+Proof. intros Hm E. apply Qeq_eqR in E. lra. Qed.
 Lemma fadeQ_spec m : 0 < Q2R m -> Q2R (fadeQ sc m) = fade (Q2R m) A1.
 Proof.
   intros Hm. assert (E : Q2R (2 * m) = 2 * Q2R m) by (rewrite Q2R_mult; unfold Q2R at 1; simpl; lra).
@@ -956,24 +915,16 @@ Let k := real_kit M1 M2 A1 A2 B (in_R (fst y)) (in_R (snd y)) f.
 (** the computed numbers are those of the scene *)
 Lemma has_tuned : has_kit (numbers K) k.
 Proof.
-  assert (E : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto).
-  unfold K, k, tuned, real_kit. rewrite E. assert (HM : 0 < Q2R (both sc)) by lra.
+  unfold K, k, tuned, real_kit. rewrite <- both_spec. assert (0 < Q2R (both sc)) by (rewrite both_spec; lra).
   constructor; cbn [numbers k1 k2 kM ka1 ka2 kb slow1 stiff1 slowM stiffM answer1 answerM force]; unfold M1;
     rewrite <- ?squareQ_spec, <- ?fadeQ_spec by auto; try apply has_rat; apply has_in_I.
 Qed.
-(** the sides of both swings *)
-Lemma has_alone F w : has_parts F w -> square w = stiff1 k -> has_wave (Bounded F (side1 K) (root1 K)) w.
+(** the side of a swing *)
+Lemma has_side m F w : 0 < Q2R m -> has_parts F w -> square w = A2 / Q2R m - fade (Q2R m) A1 * fade (Q2R m) A1 ->
+  has_wave (Bounded F (squareQ sc m ?= 0)%Q (I.sqrt p (I.abs (rat p (squareQ sc m))))) w.
 Proof.
-  intros HF E. constructor; auto; rewrite E; unfold k, real_kit, M1; cbn [stiff1 side root]; rewrite <- squareQ_spec by auto.
-  - apply on_side_Q.
-  - apply J.sqrt_correct, (I.abs_correct _ (Xreal (Q2R (squareQ sc (m1 sc))))), has_rat.
-Qed.
-Lemma has_joint F w : has_parts F w -> square w = stiffM k -> has_wave (Bounded F (sideM K) (rootM K)) w.
-Proof.
-  assert (E0 : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto). assert (0 < Q2R (both sc)) by lra.
-  intros HF E. constructor; auto; rewrite E; unfold k, real_kit; cbn [stiffM side root]; rewrite E0, <- squareQ_spec by auto.
-  - apply on_side_Q.
-  - apply J.sqrt_correct, (I.abs_correct _ (Xreal (Q2R (squareQ sc (both sc))))), has_rat.
+  intros Hm HF E. rewrite <- squareQ_spec in E by auto. constructor; auto; rewrite E; [apply on_side_Q|].
+  apply J.sqrt_correct, (I.abs_correct _ (Xreal (Q2R (squareQ sc m)))), has_rat.
 Qed.
 
 Section State.
@@ -983,13 +934,14 @@ Let fw m k' := match m with Slip s => guard real k s t (x t) (v1 t) (v2 t) | Sti
 
 Lemma has_path m : has_wave (path p K st m) (pw m).
 Proof.
-  destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply has_alone|apply has_joint]; auto;
-    [apply has_slide|apply has_stuck]; auto using has_tuned.
+  destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply (has_side (m1 sc))|apply (has_side (both sc))];
+    rewrite ?both_spec; auto; try lra; [apply has_slide|apply has_stuck]; auto using has_tuned.
 Qed.
 Lemma has_front m k' : has_wave (front p K st m k' (path p K st m)) (fw m k').
 Proof.
-  destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply has_alone|apply has_joint]; auto;
-    [apply (has_guard p (numbers K) k has_tuned)|apply (has_grip p (numbers K) k has_tuned)]; auto.
+  destruct Kn as (? & ? & ? & ? & ? & _).
+  destruct m; [apply (has_side (m1 sc))|apply (has_side (both sc))]; rewrite ?both_spec; auto; try lra; [apply
+    (has_guard p (numbers K) k has_tuned)|apply (has_grip p (numbers K) k has_tuned)]; auto.
 Qed.
 
 (** the guard of a slip, once it is accepted *)
@@ -1030,8 +982,8 @@ Proof.
   replace (x2 (t + u)) with (x2 t + Q2R (1 # 2) * (v2 t + v2 (t + u)) * u); [unfold behind; has|].
   rewrite (same_way x2 v2 (fun r => v2 t * r + signed real k' B / M2 / 2 * (r * r)) (drive real k k' (v2 t)) t u); auto;
     [| lra |].
-  - rewrite V by lra. unfold drive, Q2R; simpl. fold B. field. lra.
-  - intros r. unfold drive; simpl. fold B. auto_derive; auto. field. lra.
+  - rewrite V by lra. unfold drive, Q2R; simpl. lra.
+  - intros r. unfold drive; simpl. fold B. auto_derive; auto. lra.
 Qed.
 (** and in a stick *)
 Lemma stick_behind u i j : 0 <= u -> (forall r, 0 <= r <= u -> v2 (t + r) = val (slope (stuck real k t (x t) (v1 t))) r) ->
@@ -1050,10 +1002,11 @@ Lemma on_time m k' i u (on := at_time p (front p K st m k' (path p K st m)) i) :
   has (on (steep p (path p K st m))) (val (slope (pw m)) u) /\
   (m = Stick -> has (on (front p K st m (negb k') (path p K st m))) (val (fw m (negb k')) u)).
 Proof.
-  intros Hi. assert (S : forall F w, has_wave F w -> side F = side (front p K st m k' (path p K st m)) ->
-    decay w = decay (fw m k') -> square w = square (fw m k') -> clock w = clock (fw m k') -> angles w = angles (fw m k') ->
-    has (on F) (val w u)) by (intros F w; exact (has_shared p _ _ F w u i (has_front m k') Hi)).
-  pose proof (has_path m) as W. pose proof (has_steep p _ _ W). pose proof (has_front m (negb k')).
+  intros Hi.
+  assert (S : forall F w, has_wave F w -> side F = side (front p K st m k' (path p K st m)) -> decay w = decay (fw m k')
+    -> square w = square (fw m k') -> clock w = clock (fw m k') -> angles w = angles (fw m k') -> has (on F) (val w u))
+    by (intros F w; exact (has_shared p _ _ F w u i (has_front m k') Hi)). pose proof (has_path m) as W.
+  pose proof (has_steep p _ _ W).
   split; [|split; [|split]]; try intros _; apply S; auto using has_front; destruct m; try reflexivity;
     unfold angles; cbn; rewrite ?map_map; reflexivity.
 Qed.
@@ -1100,10 +1053,9 @@ Qed.
 Lemma step_sound m least most k' st' : step p q depth K final st m least most k' = Some st' ->
   exists t', t < t' /\ v1 t' = v2 t' /\ (forall u, t < u < t' -> in_mode m (v1 u) (v2 u)) /\ knows B f st' t'.
 Proof.
-  pose proof Kn as (Kt & _). unfold step. cbv zeta. destruct (_ && nonneg _) eqn:C; [|discriminate]. intros E.
-  injection E as <-. rewrite !andb_true_iff in C. destruct C as (((E0 & Ef) & Ek) & En).
-  apply Qle_bool_iff, Qle_Rle in E0. pose proof (has_rat p most) as Hmost.
-  apply fits_spec with (r := t + Q2R most) in Ef; [|has]. specialize (H _ Ef).
+  pose proof Kn as (Kt & _). unfold step. destruct (_ && nonneg _) eqn:C; [|discriminate]. intros E. injection E as <-.
+  rewrite !andb_true_iff in C. destruct C as (((E0 & Ef) & Ek) & En). apply Qle_bool_iff, Qle_Rle in E0.
+  pose proof (has_rat p most) as Hmost. apply fits_spec with (r := t + Q2R most) in Ef; [|has]. specialize (H _ Ef).
   destruct (on_time m k' _ _ Hmost) as (Hend & Hpath & Hsteep & Hother).
   set (on := at_time p (front p K st m k' (path p K st m)) (rat p most)) in *.
   set (F := front p K st m k' (path p K st m)) in *.
@@ -1141,7 +1093,7 @@ Lemma rest_sound m until least st' w : rest p q depth K final st m until least =
   (forall u, t < u <= Q2R until -> in_mode m (v1 u) (v2 u)) /\ (forall B' f', knows B' f' st' (Q2R until)) /\
   has w (v1 (Q2R until) - v2 (Q2R until)).
 Proof.
-  pose proof Kn as (Kt & _). unfold rest. cbv zeta. set (iu := I.sub p (rat p until) (at_t st)).
+  pose proof Kn as (Kt & _). unfold rest. set (iu := I.sub p (rat p until) (at_t st)).
   destruct (_ && keeps _ _ _ _ _ _ _ _ _ _ _ _) eqn:C; [|discriminate]. intros E. injection E as <- <-.
   rewrite !andb_true_iff in C. destruct C as (((E1 & E2) & Ef) & Ek).
   assert (Hu : has iu (Q2R until - t)) by (unfold iu; has). set (u := Q2R until - t) in *.
@@ -1203,11 +1155,10 @@ Qed.
 Lemma small_spec st t a r : knows B f st t -> small p K st a r = true -> energy M1 M2 A2 (x t - Q2R (start_x a))
   (v1 t - Q2R (start_v1 a)) (v2 t - Q2R (start_v2 a)) <= Q2R r ^ 2.
 Proof.
-  intros (_ & Hx & H1 & _ & H2 & _) E. pose proof has_tuned as T. destruct T. unfold small in E.
-  set (c := x t - Q2R (start_x a)). set (d := v1 t - Q2R (start_v1 a)). set (e := v2 t - Q2R (start_v2 a)).
+  intros (_ & Hx & H1 & _ & H2 & _) E. pose proof has_tuned as T. unfold small in E. set (c := x t - Q2R (start_x a)).
+  set (d := v1 t - Q2R (start_v1 a)). set (e := v2 t - Q2R (start_v2 a)).
   apply nonneg_spec with (r := Q2R (2 * (r * r)) - (A2 * (c * c) + M1 * (d * d) + M2 * (e * e))) in E;
-    [|unfold c, d, e; has].
-  rewrite !Q2R_mult in E. replace (Q2R 2) with 2 in E by (unfold Q2R; simpl; lra). unfold energy. lra.
+    [|unfold c, d, e; has]. rewrite !Q2R_mult in E. unfold energy. lra.
 Qed.
 End Spell.
 End Motion.
@@ -1230,8 +1181,7 @@ Lemma agrees_spec B f p st ev later e t t' : known B f st t' -> agrees p st ev =
   unfolds x v1 x2 v2 t (ev :: later) e.
 Proof.
   intros (Kt & Kx & K1 & Kx2 & K2 & Kh) E Ht M U. unfold agrees in E. rewrite !andb_true_iff in E.
-  destruct E as ((((E0 & E1) & E2) & E3) & E4). exists t'.
-  repeat (split; [solve [auto; eapply inside_spec; eauto]|]). split; [|auto].
+  destruct E as ((((E0 & E1) & E2) & E3) & E4). exists t'. repeat (split; [solve [auto; eapply inside_spec; eauto]|]).
   destruct (how st); try discriminate; intuition.
 Qed.
 
@@ -1240,17 +1190,18 @@ Lemma fair_now now later y ys : fair_spells now later (y :: ys) = true -> 0 < Q2
   0 <= Q2R (since now) /\ answers M1 A1 A2 (in_R (fst y)) (in_R (push now)) /\
   answers (M1 + M2) A1 A2 (in_R (snd y)) (in_R (push now)).
 Proof.
-  cbn [fair_spells]. rewrite !andb_true_iff. intros ((F & S) & ((Y1 & YM) & _)).
-  apply posQ_spec in F. apply nonnegQ_spec in S. apply is_answer_spec in Y1. apply is_answer_spec in YM.
-  assert (E : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto). rewrite E. auto.
+  cbn [fair_spells]. rewrite !andb_true_iff. intros ((F & S) & ((Y1 & YM) & _)). apply posQ_spec in F.
+  apply nonnegQ_spec in S. apply is_answer_spec in Y1. apply is_answer_spec in YM. rewrite <- both_spec. auto.
 Qed.
 (** along what it runs, and beside what *)
 Lemma follows_less B f lo hi hi' y w1 w2 : hi' <= hi -> follows M1 M2 A1 A2 B f lo hi y w1 w2 ->
   follows M1 M2 A1 A2 B f lo hi' y w1 w2.
 Proof.
-  assert (Less : forall lo y w1 w2, hi' <= hi -> obeys M1 M2 A1 A2 B f lo hi y w1 w2 -> obeys M1 M2 A1 A2 B f lo hi' y w1 w2).
+  assert (Less : forall lo y w1 w2, hi' <= hi -> obeys M1 M2 A1 A2 B f lo hi y w1 w2 -> obeys M1 M2 A1 A2 B f lo hi' y
+    w1 w2).
   { intros l z u1 u2 Hh O t0 T X V1 V2 g Ht HT Hd. apply O; auto. lra. }
-  intros Hh (O & N). split; [auto|]. intros t0 X V1 V2 Ht. destruct (N t0 X V1 V2 ltac:(lra)) as (z & u1 & z2 & u2 & St &
+  intros Hh (O & N). split; [auto|]. intros t0 X V1 V2 Ht.
+  destruct (N t0 X V1 V2 ltac:(lra)) as (z & u1 & z2 & u2 & St &
     Oz & C & D & E). exists z, u1, z2, u2. repeat (split; [auto|]). intros t Hu. apply E. lra.
 Qed.
 Lemma runs_now now later : runs M1 M2 A1 A2 x v1 v2 now later ->
@@ -1296,9 +1247,8 @@ Proof.
     destruct (passes_sound z u1 z2 u2 C2 D2 now y s (Some until) Hb ltac:(lra) Hy1 HyM H p steps _ s st1 K0 (Rle_refl s) E1)
       as (t1 & Ht1 & K1).
     destruct (rest_sound z u1 z2 u2 C2 D2 now y s (Some until) Hb ltac:(lra) Hy1 HyM H p _ t1 K1 Ht1 _ _ _ _ _ E2)
-      as (Ht2 & _ & _ & K2 & _).
-    pose proof (small_spec z u1 z2 u2 now y p _ _ _ _ (K2 B f) E) as Sm. rewrite Q2R_minus in Sm, Rd.
-    pose proof (Rle_trans _ _ _ (Near (Q2R until) ltac:(lra)) Cl) as Sn.
+      as (Ht2 & _ & _ & K2 & _). pose proof (small_spec z u1 z2 u2 now y p _ _ _ _ (K2 B f) E) as Sm.
+    rewrite Q2R_minus in Sm, Rd. pose proof (Rle_trans _ _ _ (Near (Q2R until) ltac:(lra)) Cl) as Sn.
     pose proof (energy_triangle M1 M2 A2 _ _ _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) Ra Rd Sn Sm) as T.
     eapply Rle_trans; [|eapply Rle_trans; [exact T|]]; [right; f_equal; ring|right; ring].
   - exact (small_spec x v1 x2 v2 now y p _ _ _ _ Kn E).
@@ -1307,7 +1257,7 @@ Qed.
 Lemma about_spec c r M m u : has M m -> 0 < m -> 0 <= Q2R r -> Rabs (u - Q2R c) <= Q2R r * sqrt (2 / m) ->
   has (about p c r M) u.
 Proof.
-  intros HM Hm Hr Hu. apply Rabs_inv in Hu. assert (E : Q2R 2 = 2) by (unfold Q2R; simpl; lra).
+  intros HM Hm Hr Hu. apply Rabs_inv in Hu. assert (E : Q2R 2 = 2) by lra.
   assert (D : has (I.mul p (rat p r) (I.sqrt p (I.div p (rat p 2) M))) (Q2R r * sqrt (2 / m))) by (rewrite <- E; has).
   apply (J.join_correct _ _ (Q2R c - Q2R r * sqrt (2 / m)) (Q2R c + Q2R r * sqrt (2 / m))); [has|has|lra].
 Qed.
@@ -1336,10 +1286,10 @@ Lemma lasts_sound now later y : 0 < Q2R (friction now) -> 0 <= Q2R (since now) -
 Proof.
   intros Hb Hs Y1 YM Ob st t e hints Ht Kn. unfold lasts. destruct hints as [|[| | |bits until least] [|]];
     [intros E Ev; rewrite Ev in E; discriminate| | | | | | |destruct later; [|discriminate]|]; try discriminate.
-  rewrite andb_true_iff. intros (Co & R) _ u Hu. destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
+  rewrite andb_true_iff. intros (Co & R) _ u Hu.
+  destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
   destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ None Hb Hs Y1 YM Ob (bits_of bits) st t Kn Ht _ _ _ _ _ E)
-    as (Ht' & _ & Q & Kn' & _).
-  destruct (Rle_dec u (Q2R until)); [apply Q; lra|].
+    as (Ht' & _ & Q & Kn' & _). destruct (Rle_dec u (Q2R until)); [apply Q; lra|].
   apply (captive_spec x v1 x2 v2 now y _ None Hb YM Ob (bits_of bits) st' (Q2R until)); auto; lra.
 Qed.
 
@@ -1353,13 +1303,14 @@ Proof.
   destruct (fair_now _ _ _ _ Fa) as (Hb & Hs & Y1 & YM). pose proof (runs_now _ _ Ru) as Fo.
   pose proof (fun hi Hh => proj1 (Fo hi Hh)) as Ob.
   destruct hint as [bits least most k'|bits until least which|bits least|]; cbn [goes]; [| | |discriminate].
-  - destruct events as [|ev events]; [discriminate|]. destruct (step _ _ _ _ _ _ _ _ _ _) as [st'|] eqn:E; [|discriminate].
+  - destruct events as [|ev events]; [discriminate|].
+    destruct (step _ _ _ _ _ _ _ _ _ _) as [st'|] eqn:E; [|discriminate].
     destruct (agrees _ _ _) eqn:Ea; [|discriminate]. intros G.
-    destruct (step_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (t' & Ht' & Ev & Q & Kn').
-    apply (agrees_spec _ _ _ _ _ _ _ _ _ Kn' Ea Ht' Q). apply (IH now later (y :: ys) st' a); auto. lra.
+    destruct (step_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (t' & Ht' & Ev & Q &
+      Kn'). apply (agrees_spec _ _ _ _ _ _ _ _ _ Kn' Ea Ht' Q). apply (IH now later (y :: ys) st' a); auto. lra.
   - destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
-    destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Fin & Q & Kn' & _).
-    set (on := fun st a events => match later with
+    destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Fin & Q & Kn' &
+      _). set (on := fun st a events => match later with
       | next :: later' => if Qeq_bool until (since next) then goes next later' ys st a events e hints
           else goes now later (y :: ys) st a events e hints
       | [] => goes now later (y :: ys) st a events e hints end).
@@ -1368,7 +1319,8 @@ Proof.
       unfolds x v1 x2 v2 (Q2R until) events e).
     { intros st1 a1 evs G Kn1 Cl1. unfold on in G.
       assert (Same : goes now later (y :: ys) st1 a1 evs e hints = true -> unfolds x v1 x2 v2 (Q2R until) evs e).
-      { intros G'. apply (IH now later (y :: ys) st1 a1); auto; [lra|]. destruct Cl1 as [->|(b & -> & _ & Cl1)]; simpl; auto. }
+      { intros G'. apply (IH now later (y :: ys) st1 a1); auto; [lra|].
+        destruct Cl1 as [->|(b & -> & _ & Cl1)]; simpl; auto. }
       destruct later as [|next later]; auto. destruct (Qeq_bool until (since next)) eqn:Eq; auto.
       apply Qeq_bool_iff, Qeq_eqR in Eq. cbn [fair_spells] in Fa. rewrite !andb_true_iff in Fa.
       apply (IH next later ys st1 a1); auto; [apply Fa|apply Ru|lra|].
@@ -1386,9 +1338,8 @@ Proof.
       apply (closest_spec now y _); auto.
   - destruct events as [|]; [|discriminate]. destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
     destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E)
-      as (Ht' & _ & Q & Kn' & Kw).
-    unfold ends. rewrite !andb_true_iff. intros (((((B0 & B1) & B2) & B3) & B4) & Ev).
-    destruct (Kn' 0 (in_R (push now))) as (_ & Kx & K1 & Kx2 & K2 & _). cbn [unfolds].
+      as (Ht' & _ & Q & Kn' & Kw). unfold ends. rewrite !andb_true_iff. intros (((((B0 & B1) & B2) & B3) & B4) & Ev).
+    destruct (Kn' 0 (in_R (push now))) as (_ & Kx & K1 & Kx2 & K2 & _).
     repeat (split; [solve [auto; eapply inside_spec; eauto]|]).
     apply (lasts_sound now later y Hb Hs Y1 YM Ob st' (Q2R (last e)) e hints); auto. lra.
 Qed.
@@ -1396,7 +1347,8 @@ End Whole.
 
 Lemma in_R_pval l u : Q2R (pval rational l u) = pval real (map Q2R l) (Q2R u).
 Proof.
-  induction l as [|c l IH]; [apply RMicromega.Q2R_0|]. cbn [map]. rewrite pval_cons, <- IH, <- Q2R_mult, <- Q2R_plus. auto.
+  induction l as [|c l IH]; [apply RMicromega.Q2R_0|]. cbn [map]. rewrite pval_cons, <- IH, <- Q2R_mult, <- Q2R_plus.
+  auto.
 Qed.
 Lemma on_edge_spec k : on_edge k = true -> A2 * Q2R (x_0 sc) + A1 * Q2R (v1_0 sc)
   - sval real (in_R (push (first_spell sc))) 0 = - (sign k * (Q2R (friction (first_spell sc)) * (M1 + M2) / M2)).
@@ -1404,14 +1356,15 @@ Proof.
   unfold on_edge. set (g := push (first_spell sc)). rewrite andb_true_iff. intros (Ph & E).
   assert (S : sval real (in_R g) 0 =
     Q2R (fold_right (fun z r => in_cosine z + r)%Q (pval rational (poly g) (0 - from g)%Q) (tones g))).
-  { clear E. unfold sval, in_R; cbn [tones poly from]. induction (tones g) as [|z zs IH]; cbn [map fold_right forallb] in *.
+  { clear E. unfold sval, in_R; cbn [tones poly from].
+    induction (tones g) as [|z zs IH]; cbn [map fold_right forallb] in *.
     - rewrite in_R_pval, Q2R_minus, RMicromega.Q2R_0. reflexivity.
     - apply andb_true_iff in Ph. destruct Ph as (P & Ph). apply Qeq_bool_iff, Qeq_eqR in P.
       rewrite Q2R_plus, <- IH by auto. unfold tval; cbn [in_sine in_cosine turn phase add mul sin_of cos_of real].
       rewrite P, RMicromega.Q2R_0, !Rmult_0_r, !Rplus_0_r, sin_0, cos_0. ring. }
   rewrite S. apply Qeq_bool_iff, Qeq_eqR in E. unfold both in E.
   rewrite Q2R_mult, Q2R_minus, Q2R_plus, !Q2R_mult, Q2R_plus in E.
-  replace (Q2R (if k then -1 else 1)) with (- sign k) in E by (destruct k; unfold Q2R; simpl; lra).
+  replace (Q2R (if k then -1 else 1)) with (- sign k) in E by (destruct k; simpl; lra).
   apply Rmult_eq_reg_l with M2; [|lra]. unfold A1, A2, M1, M2 in *. rewrite E. field; lra.
 Qed.
 End Table.
@@ -1436,9 +1389,8 @@ Proof.
   apply Qeq_bool_iff, Qeq_eqR in F0. rewrite RMicromega.Q2R_0 in F0.
   apply (goes_sound bits_of q depth sc Fm1 Fm2 Fa1 Fa2 x v1 x2 v2 C2 D2 e hints (first_spell sc) (later_spells sc) ys
     (initial sc (bits_of bits)) None); simpl; auto; [|lra|].
-  - apply (varying_runs _ _ _ _ Fm1 Fm2 Fa1 Fa2 _ _ U U x v1 v2 x v1 v2); eauto using fair_order.
-    + intros t Ht. apply DU. lra.
-    + intros t Ht. rewrite F0, Rplus_0_l. auto.
+  - apply (varying_runs _ _ _ _ Fm1 Fm2 Fa1 Fa2 x v1 v2 _ _ U x v1 v2); eauto using fair_order; intros t Ht;
+      rewrite F0, Rplus_0_l; auto.
   - unfold knows, initial; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite X0, V10, X20, V20.
     repeat (split; [try apply has_rat|]).
     + rewrite <- RMicromega.Q2R_0. apply has_rat.

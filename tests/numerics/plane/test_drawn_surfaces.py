@@ -27,7 +27,7 @@ def with_truth(scene):
 def may_be_one(run, truth):
     """Whether two runs have the same modes, and no number of one is off by more than the bounds of both."""
     with truth.context():
-        return agree(*((one.events, one._points, one.final_mode) for one in (run, truth)))
+        return agree(*((one.events, one._own_moments, one.final_mode) for one in (run, truth)))
 
 
 @pytest.mark.parametrize("name", ["plane-circle-merges", "plane-box"])

@@ -105,7 +105,7 @@ def test_with_a_damper_a_slip_from_the_edge_is_not_sure_for_long():
         near = run.around(arb(1e-4))
         assert normal @ near.drift > 0
         # a mode that is followed past the true motion's end has a little more friction than there is
-        assert all(x * m > b for x, m, b in zip(near.second, run.system.m2, run.drive.b, strict=True))
+        assert min(near.second * run.system.m2 - run.drive.b) > 0
         assert not run.leaves(normal, arb(1e-4), 2)
 
 

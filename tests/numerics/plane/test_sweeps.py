@@ -51,8 +51,8 @@ def test_what_is_not_decided_or_beyond_floats_is_a_status_of_its_row():
     assert "inside the friction set" in found.message[1]
     assert np.isnan(found.energy).tolist() == [False, True, True]
     assert heard == [(1, 3), (2, 3), (3, 3)]
-    of_parts = PUSHED[0].replace(pair=PlanePair(1, 1, 200, "0.5", shape="box"))
-    assert solve_scenes([*PUSHED, of_parts], jobs=1, max_events=1).status.tolist() == [Status.EVENT_LIMIT] * 4
+    capped = [*PUSHED, PUSHED[0].replace(pair=PlanePair(1, 1, 200, "0.5", shape="box"))]
+    assert {*solve_scenes(capped, jobs=1, max_events=1).status} == {Status.EVENT_LIMIT}
 
 
 @needs_joblib
@@ -81,13 +81,3 @@ def test_a_sweep_is_interrupted():
     _, errors = process.communicate(timeout=60)
     assert process.returncode != 0
     assert errors.rstrip().endswith("KeyboardInterrupt")
-
-
-def test_a_sweep_is_drawn():
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    found = solve_scenes(PUSHED, jobs=1)
-    ax = found.plot("events", along=[1, 2, 3])
-    assert ax.lines[0].get_ydata().tolist() == found.events.tolist()
-    starts = [PlaneScene(PAIR, "0.1", x1=[x, 0]) for x in ("0.012", "0.002")]
-    assert solve_scenes(starts, jobs=1).plot().get_xlabel() == "x1 x (m)"
-    pyplot.close("all")

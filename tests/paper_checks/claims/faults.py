@@ -107,16 +107,6 @@ def raised(value):
     return value + sp.Rational(1, 100)
 
 
-failing = changed(lambda step: replace(step, passed=False))
-crossing_contact = changed(lambda contact: replace(contact, first=contact.second))
-"""A guard without the double root."""
-
-
-def unbounded_sign(_):
-    """Friction that may exceed b on S."""
-    return lambda value, velocity: sp.And(sp.Le(sp.Abs(value), 2), sp.Lt(sp.Abs(velocity), 1))
-
-
 def planted() -> Iterator[tuple[str, str, Callable[..., Any]]]:
     """Each claim, the place of a fault and the fault, as faults.toml lists them."""
     homes = {name: name for name in ("flint", "fractions", "numerics", "theory", "types")} | HOMES

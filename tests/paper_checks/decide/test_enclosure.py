@@ -5,6 +5,7 @@ import sympy as sp
 from flint import arb
 
 from numerics import Mode, load_scene
+from paper_checks.decide.balls import precision
 from paper_checks.decide.enclosure import ball, compare, itinerary, rounded, solved, stuck_for_ever
 
 WIDE = arb(1, 0.5)
@@ -40,13 +41,10 @@ def test_an_itinerary_has_to_be_the_proved_one():
 
 
 @pytest.mark.parametrize("value", [sp.pi, sp.sqrt(2) / 10**9, -sp.exp(40), sp.Rational(1, 3), sp.pi**2 / 4])
-def test_a_ball_contains_its_constant(value, request):
-    import flint
-
-    before, flint.ctx.prec = flint.ctx.prec, 1000
-    request.addfinalizer(lambda: setattr(flint.ctx, "prec", before))
-    assert ball(value).contains(arb(str(value.evalf(250))))
-    assert ball(value).rel_accuracy_bits() > 150
+def test_a_ball_contains_its_constant(value):
+    with precision(150):
+        assert ball(value).contains(arb(str(value.evalf(250))))
+        assert ball(value).rel_accuracy_bits() > 150
 
 
 @pytest.mark.parametrize(

@@ -33,12 +33,14 @@ def test_kinds_are_ordered_strongest_first():
     assert [kind.value for kind in EvidenceKind if kind.decisive] == names[:5]
 
 
+INFERENCES = """so hence thus therefore then because since implies imply follow follows consequently whence
+prove proves show shows"""
+
+
 @pytest.mark.parametrize(
     ("words", "meaning", "missing"),
     [
-        ("they stick", "$v_1=v_2$, so the energy is constant", "infers nothing"),
-        ("they stick", "$v_1=v_2$; hence $E$ is constant", "infers nothing"),
-        ("they stick", "$v_1=v_2$, which follows from (3)", "infers nothing"),
+        *(("they stick", f"$v_1=v_2$, {word} $E$ is constant", "infers nothing") for word in INFERENCES.split()),
         ("they stick", "$v_1=v_2$. The energy is constant", "one sentence"),
         ("they stick", "equality of the velocities", "names the formula"),
     ],
@@ -217,6 +219,8 @@ def test_a_row_is_as_strong_as_its_weakest_clause_and_one_whose_steps_are_not_na
     assert of(conclude(HOLDS, "So it is.", EXACT)).established_by is EvidenceKind.ARGUMENT
     finding = conclude(HOLDS, "r", carried("one", SMT), carried("two", BALL))
     assert of(finding, clause("one", "A,"), clause("two", "B.")).established_by is EvidenceKind.ENCLOSURE
+    bound, finding = clause("one", "«e».", e=formula("m1", lambda _: BALL)), conclude(HOLDS, "r", carried("one", SMT))
+    assert of(finding, bound).established_by is EvidenceKind.ENCLOSURE
 
 
 def formula(letter, decide=None):

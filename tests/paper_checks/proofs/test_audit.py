@@ -54,6 +54,8 @@ def test_an_answer_that_is_not_the_one_on_record_is_named():
     for wrong in ("CriticalRatioDigits.easy", "Classical_Prop.another", "bad is assumed to be guarded."):
         assert f"rests on {wrong}, which nobody has proved" in problem(axioms=[*known.axioms, wrong])
     assert "more than in Audit.out" in problem(axioms=[*known.axioms, "PrimInt63.add"])
+    del printed["Pair.energy"]
+    assert "Pair.energy, which is not defined as in Audit.out" in problem()
 
 
 def test_without_the_kernel_nothing_is_proved_and_nothing_is_broken(monkeypatch, tmp_path, capsys):

@@ -7,7 +7,7 @@ from decimal import Decimal
 import pytest
 from scene_files import scenes_in
 
-from numerics import Force, Pair, Scene, State, load_scene, solve
+from numerics import Force, Friction, Pair, Scene, State, load_scene, solve
 from numerics.trajectory import theorem as writer
 from numerics.trajectory.theorem import theorem
 from paper_checks.proofs import submitted
@@ -20,6 +20,13 @@ SMALL = Scene(Pair(1, 1, 200, "0.05"), State(x1="0.00035", v1="0.0055", v2="0.00
 """Stick, slip, stick, slip."""
 HARD = Pair(1, 1, 200, "0.5")
 FORCED = Scene(HARD, State(v1="0.15"), until="0.6", force=Force.step("0.1", 3) + Force.sine("0.7", 5))
+EVERYTHING = FORCED.replace(
+    pair=Pair(1, 2, 200, "0.5", 20),
+    until="0.9",
+    force=FORCED.force + Force.step("0.3", "-2.9") + Force.sine("-0.7", 5, start="0.3"),
+    friction=Friction([("0.28", "0.4")]),
+)
+"""It crosses v1 = v2, sticks, is torn loose by a jump whose float lies before it, and at last sticks for ever."""
 SCENES, EVER = scenes_in("proved"), scenes_in("proved-for-ever")
 
 
@@ -106,11 +113,11 @@ def test_the_shipped_table_is_what_the_solver_writes():
 
 @needs_kernel
 def test_a_trajectory_is_accepted_and_with_one_digit_changed_it_is_refused(judge):
-    text = proof(SMALL)
+    text = proof(EVERYTHING)
     said = judge(text)
     assert said.holds is True
     assert said.reason.startswith(
-        "3 events until t = 0.4, of every motion with m1 = 1, m2 = 1, a1 = 0, a2 = 200, x(0) = 0.00035"
+        "5 events until t = 0.9, sticking for ever then, of every motion with m1 = 1, m2 = 2, a1 = 20, a2 = 200"
     )
     assert judge(changed(text, A_DIGIT, later)).holds is False
 

@@ -5,6 +5,7 @@ import json
 import re
 from dataclasses import replace
 from html import unescape
+from types import SimpleNamespace
 
 import pytest
 from rich.console import Console
@@ -17,9 +18,10 @@ from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.proofs.audit import recorded
 from paper_checks.report.content import kernel, trust
 from paper_checks.report.content.document import document, paper
-from paper_checks.report.content.phrases import headline
+from paper_checks.report.content.phrases import headline, kind
 from paper_checks.report.formats import html, latex
 from paper_checks.report.formats import json as json_report
+from paper_checks.report.formats.html import fragment
 from paper_checks.report.formats.terminal import print_claims, print_rows
 from paper_checks.running.graph import proofs
 from paper_checks.running.runner import Row
@@ -95,6 +97,18 @@ def test_rows_are_counted_and_those_that_differ_from_the_record_are_named(rows):
     assert "unchecked, because a tool is missing: hostile" in text
     counted = "1 holds, 1 holds after a correction, 1 is refuted, 1 is undecided and 1 is unchecked for lack of a tool."
     assert f"Of the paper's 5 claims {counted}" in text
+    assert "a proof of" in page(rows).partition('class="chapter" id="open"')[2].partition('class="chapter"')[0]
+
+
+def test_what_a_step_assumes_what_stands_beside_and_how_sure_it_is_are_told(rows, theorem):
+    *_, corrected, sampled = (printed([row]) for row in rows[:4])
+    assert "Given" in corrected
+    assert "Beside the proof" in sampled
+    (sure,) = (fragment(one) for one in document([*rows, theorem]).front if one.id == "trust")
+    assert re.search(r"argument</th>.*?>3</td><td[^>]*>1</td>", sure)
+    assert "; 0 of them name no theorem" not in sure
+    for state, said in ((None, "exact"), ("proved", "exact"), ("not run", "exact (kernel not run)")):
+        assert kind(SimpleNamespace(established_by=EvidenceKind.EXACT, kernel=state)) == said
 
 
 def test_json_has_the_shape_of_the_design(rows, theorem):
@@ -103,6 +117,8 @@ def test_json_has_the_shape_of_the_design(rows, theorem):
     for item in data:
         assert {"id", "where", "statement", "verdict", "reason", "evidence"} <= set(item)
         assert all({"kind", "engine", "statement", "cases", "value"} <= set(step) for step in item["evidence"])
+        for part in item["clauses"]:
+            assert not [one for one in part["support"] if one in part["steps"]]
     assert "seconds" not in data[0]
     assert data[1]["verdict"] == data[1]["recorded"] == "refuted"
     assert [one["kind"] for one in data] == ["claim"] * len(rows) + ["theorem"]

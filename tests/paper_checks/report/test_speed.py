@@ -59,6 +59,7 @@ def test_the_chapter_on_speed_says_what_the_record_says(case):
 def test_the_shipped_record_is_told():
     trade = recorded()
     chapter = blocks.section(speed.text(trade))
+    assert ("Other programs ran" in speed.text(trade)) is trade.machine["busy"]
     for table in (one for one in chapter.blocks if one.kind == "table"):
         assert len({len(row.items) for row in table.inside}) == 1
     assert not re.search(r"\bnan\b|\bNone\b|\binf\b", fragment(chapter))
