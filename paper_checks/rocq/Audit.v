@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod HeavyDamper Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneEnergy OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurnedFrame TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod HeavyDamper Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneEnergy OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Rates Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurnedFrame TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -1534,7 +1534,7 @@ Print Assumptions Viscous.rest.
 
 Goal True. idtac "== weak-attained
 Both arcs are a motion, and the pair can then be held there.
-uses: no other". Abort.
+uses: arc-begins, follow-forced-arc". Abort.
 Check @WeakTransfer.weak_attained.
 Print Assumptions WeakTransfer.weak_attained.
 

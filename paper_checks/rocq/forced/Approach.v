@@ -127,20 +127,15 @@ Qed.
 (** the energy distance falls by what the dampers take at least *)
 Lemma D_dini t : 0 <= t -> dini_le D t (- (a1 * p t ^ 2)).
 Proof.
-  intros Ht e He. destruct (More t Ht) as (Hm & Rm).
-  destruct (moves_D_dini m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' t _ Ht Rm e He) as (d & Hd & Q).
-  exists d; split; auto. intros h Hh. specialize (Q h Hh).
-  change (D (t + h) - D t <= (- (more t * p t) * p t - a1 * p t ^ 2 + e) * h) in Q.
-  assert (0 <= more t * p t ^ 2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]).
-  assert ((- (more t * p t) * p t - a1 * p t ^ 2 + e) * h <= (- (a1 * p t ^ 2) + e) * h); [|lra].
-  apply Rmult_le_compat_r; [lra|]. nra.
+  intros Ht. destruct (More t Ht) as (Hm & Rm).
+  eapply dini_weaken; [|exact (moves_D_dini m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' t _ Ht Rm)].
+  assert (0 <= more t * p t ^ 2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]). unfold p in *. lra.
 Qed.
 Let D_cont : cont D. Proof. exact (moves_cD m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H'). Qed.
 Lemma D_mono r t : 0 <= r <= t -> D t <= D r.
 Proof.
-  intros Hr. apply dini_mono; auto. intros u Hu e He. destruct (D_dini u ltac:(lra) e He) as (d & Hd & Q).
-  exists d; split; auto. intros h Hh. specialize (Q h Hh). eapply Rle_trans; [exact Q|]. apply Rmult_le_compat_r; [lra|].
-  assert (0 <= a1 * p u ^ 2) by (apply Rmult_le_pos; [auto|apply pow2_ge_0]). lra.
+  intros Hr. apply dini_mono; auto. intros u Hu. eapply dini_weaken; [|exact (D_dini u ltac:(lra))].
+  assert (0 <= a1 * p u ^ 2) by positive. lra.
 Qed.
 Lemma D_pos t : 0 <= D t.
 Proof. apply energy_pos; auto. Qed.
@@ -188,46 +183,36 @@ Proof.
   set (n := a2 * e / (2 * (a2 * L + (a1 + A)))). assert (Hn : 0 < n) by positive.
   assert (En : n * (a2 * L + (a1 + A)) = a2 * e / 2) by (unfold n; field; nra).
   destruct (p_to_0 n Hn) as (T & HT & Small). exists T; split; auto. intros t Ht.
-  pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cs. pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H') as Cs'.
-  assert (Cy : cont y) by (apply cont_minus; [apply (f_cx _ _ _ _ _ _ _ _ _ _ H)|apply (f_cx _ _ _ _ _ _ _ _ _ _ H')]).
-  assert (CPc : cont P).
-  { apply cont_plus; apply cont_scal, cont_minus;
-    [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|apply (f_cv _ _ _ _ _ _ _ _ _ _ H')| |].
-    - exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H).
-    - exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H'). }
+  assert (Cy : cont y) by continuous. assert (CPc : cont P) by continuous.
   assert (RP : forall u, 0 <= u -> rderiv P u (- (a2 * y u + (a1 + more u) * p u))).
   { intros u Hu. apply rderiv_ext with (fun r => ((m1 * v1 r + b * s r - U r) - (m1 * v1' r + b * s' r - U' r) + (U r - U' r)) +
     ((m2 * v2 0 - b * s 0) - (m2 * v2' 0 - b * s' 0))).
     { intros r Hr. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H r ltac:(lra)).
       pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H' r ltac:(lra)). unfold P, p, q. lra. }
-    apply rderiv_eq with ((- (a2 * x u + a1 * v1 u) - - (a2 * x' u + a1 * v1' u) + - (more u * (v1 u - v1' u))) + 0);
-      [unfold y, p; ring|].
-    apply rderiv_plus; [|apply rderiv_const]. apply rderiv_plus; [|apply More; auto].
-    apply rderiv_minus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H)|apply (f_v1 _ _ _ _ _ _ _ _ _ _ H')]; auto. }
+    destruct (More u Hu) as (_ & Du). rate. unfold y, p. ring. }
   assert (Ry : forall u, 0 <= u -> rderiv y u (p u)).
-  { intros u Hu. apply rderiv_minus; [apply (f_x _ _ _ _ _ _ _ _ _ _ H)|apply (f_x _ _ _ _ _ _ _ _ _ _ H')]; auto. }
+  { intros u Hu. unfold y. rate. reflexivity. }
   assert (PB : forall u, 0 <= u -> - CP <= P u <= CP).
   { intros u Hu. destruct (Bd u Hu) as (_ & B1 & B2), (Bd' u Hu) as (_ & B1' & B2'). unfold P, p, q, CP.
     apply Rabs_inv in B1. apply Rabs_inv in B2. apply Rabs_inv in B1'. apply Rabs_inv in B2'. split; nra. }
-  assert (Key : forall k, k = 1 \/ k = -1 -> k * y t <= e).
-  { intros k Hk. destruct (Rle_dec (k * y t) e) as [|N]; auto. exfalso.
-    assert (Yu : forall u, t <= u <= t + L -> e - n * L <= k * y u).
-    { intros u Hu. assert (Q : - k * y u - - k * y t <= n * (u - t)).
-      { apply (dini_slope (fun r => - k * y r)); [apply cont_scal; auto|lra|]. intros r Hr.
-        eapply rderiv_dini; [|apply rderiv_scal, Ry; lra].
-        pose proof (Small r ltac:(lra)) as S. apply Rabs_inv in S. destruct Hk; subst k; lra. }
-      assert (n * (u - t) <= n * L) by scale. lra. }
-    assert (Q : k * P (t + L) - k * P t <= - (a2 * e / 2) * (t + L - t)).
-    { apply (dini_slope (fun r => k * P r)); [apply cont_scal; auto|lra|]. intros r Hr.
-      eapply rderiv_dini; [|apply rderiv_scal, RP; lra].
-      pose proof (Small r ltac:(lra)) as S. apply Rabs_inv in S. specialize (Yu r ltac:(lra)).
-      assert (a2 * (e - n * L) <= a2 * (k * y r)) by scale.
-      destruct (More r ltac:(lra)) as (Hm & _).
-      assert (- ((a1 + A) * n) <= (a1 + more r) * (k * p r)) by (assert (- n <= k * p r) by (destruct Hk; subst k; lra); nra).
-      lra. }
-    replace (- (a2 * e / 2) * (t + L - t)) with (- (4 * CP)) in Q by (unfold L; field; split; lra).
-    pose proof (PB t ltac:(lra)). pose proof (PB (t + L) ltac:(lra)). destruct Hk; subst k; lra. }
-  pose proof (Key 1 ltac:(auto)). pose proof (Key (-1) ltac:(auto)). apply Rabs_le; lra.
+  apply both_signs. intros k Hk. destruct (Rle_dec (k * y t) e) as [|N]; auto. exfalso.
+  assert (Yu : forall u, t <= u <= t + L -> e - n * L <= k * y u).
+  { intros u Hu. assert (Q : - k * y u - - k * y t <= n * (u - t)).
+    { apply (dini_slope (fun r => - k * y r)); [apply cont_scal; auto|lra|]. intros r Hr.
+      eapply rderiv_dini; [|apply rderiv_scal, Ry; lra].
+      pose proof (Small r ltac:(lra)) as S. apply Rabs_inv in S. destruct Hk; subst k; lra. }
+    assert (n * (u - t) <= n * L) by scale. lra. }
+  assert (Q : k * P (t + L) - k * P t <= - (a2 * e / 2) * (t + L - t)).
+  { apply (dini_slope (fun r => k * P r)); [apply cont_scal; auto|lra|]. intros r Hr.
+    eapply rderiv_dini; [|apply rderiv_scal, RP; lra].
+    pose proof (Small r ltac:(lra)) as S. apply Rabs_inv in S. specialize (Yu r ltac:(lra)).
+    assert (a2 * (e - n * L) <= a2 * (k * y r)) by scale.
+    destruct (More r ltac:(lra)) as (Hm & _).
+    assert (- ((a1 + A) * n) <= (a1 + more r) * (k * p r)) by (assert (- n <= k * p r) by (destruct Hk; subst k; lra);
+      nra).
+    lra. }
+  replace (- (a2 * e / 2) * (t + L - t)) with (- (4 * CP)) in Q by (unfold L; field; split; lra).
+  pose proof (PB t ltac:(lra)). pose proof (PB (t + L) ltac:(lra)). destruct Hk; subst k; lra.
 Qed.
 
 (** the distance of two bounded solutions tends to 0 *)
@@ -266,7 +251,7 @@ Proof.
     assert ((c + d) * (c + d) < z * z) by nra; nra]).
   assert (NZ : forall t, T <= t -> v2 t - v2' t <> 0). { intros t Ht E. specialize (Q t Ht). rewrite E in Q. lra. }
   assert (Cq : cont (fun t => v2 t - v2' t)).
-  { apply cont_minus; [exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H')]. }
+  { continuous. }
   assert (Sign : forall t, T <= t -> 0 < (v2 T - v2' T) * (v2 t - v2' t)).
   { intros t Ht. destruct (Rlt_dec 0 ((v2 T - v2' T) * (v2 t - v2' t))) as [|N]; auto. exfalso.
     destruct (cont_IVT _ T t Cq) as (u & Hu & Zu); [lra|lra|]. apply (NZ u); [lra|auto]. }
@@ -296,7 +281,7 @@ Corollary approach_bounded U x v1 v2 s x' v1' v2' s' G B : forced U x v1 v2 s ->
 Proof.
   intros H H' HG LU Bd Bd'. apply (approach_dampers U x v1 v2 s U x' v1' v2' s' (fun _ => 0) G B 0); auto.
   intros t Ht. split; [lra|]. apply rderiv_eq with 0; [ring|].
-  apply rderiv_ext with (fun _ => 0); [intros; ring|apply rderiv_const].
+  apply rderiv_same.
 Qed.
 End Response.
 
@@ -334,9 +319,8 @@ Proof.
   intros Pos (V & H & DV) (V' & H' & DV') Hr.
   apply (dini_mono (fun q => energy m1 m2 a2 (x q - x' q) (v1 q - v1' q) (v2 q - v2' q))); auto.
   { exact (moves_cD m1 m2 0 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H'). }
-  intros q Hq e He. destruct (moves_D_dini m1 m2 0 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' q _ ltac:(lra)
-    (rderiv_minus _ _ _ _ _ (DV q ltac:(lra)) (DV' q ltac:(lra))) e He) as (d & Hd & Q).
-  exists d; split; auto. intros h Hh. specialize (Q h Hh). eapply Rle_trans; [exact Q|]. apply Rmult_le_compat_r; [lra|].
+  intros q Hq. eapply dini_weaken; [|exact (moves_D_dini m1 m2 0 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' q _ ltac:(lra)
+    (rderiv_minus _ _ _ _ _ (DV q ltac:(lra)) (DV' q ltac:(lra))))].
   assert (0 <= a q * (v1 q - v1' q) ^ 2) by (apply Rmult_le_pos; [apply Pos; lra|apply pow2_ge_0]). nra.
 Qed.
 
@@ -345,9 +329,9 @@ Lemma controlled_constant a1 V x v1 v2 s : forced m1 m2 0 a2 b V x v1 v2 s ->
   forced m1 m2 a1 a2 b (fun t => V t + a1 * x t) x v1 v2 s.
 Proof.
   intros [L P N CU CX CV X Q W]. constructor; auto.
-  - apply cont_plus; auto using cont_scal.
+  - continuous.
   - intros t Ht. apply rderiv_ext with (fun r => m1 * v1 r + b * s r - V r - a1 * x r); [intros; ring|].
-    apply rderiv_eq with (- (a2 * x t + 0 * v1 t) - a1 * v1 t); [ring|]. apply rderiv_minus; auto using rderiv_scal.
+    rate. ring.
 Qed.
 
 (** [controlled-approach] With a damper $a_1(t)$ between two positive bounds and a bounded force every motion tends to
@@ -373,10 +357,9 @@ Proof.
     (forall t, 0 <= t -> Rabs (w1 t) <= B + E) -> forall r t, 0 <= r <= t ->
     Rabs ((W t + a1 * y t) - (W r + a1 * y r)) <= (G + A * (B + E)) * (t - r)).
   { intros W y w1 w2 z HW DW Bw r t Hr. apply (lip_of_rderiv (fun q => W q + a1 * y q) (fun q => u q - (a q - a1) * w1 q)); auto.
-    - apply cont_plus; [apply (f_cU _ _ _ _ _ _ _ _ _ _ HW)|apply cont_scal, (f_cx _ _ _ _ _ _ _ _ _ _ HW)].
+    - continuous.
     - intros q Hq. split.
-      + apply rderiv_eq with (u q - a q * w1 q + a1 * w1 q); [ring|]. apply rderiv_plus; auto.
-        apply rderiv_scal, (f_x _ _ _ _ _ _ _ _ _ _ HW); auto.
+      + pose proof (DW q Hq). rate. ring.
       + destruct (Hau q Hq) as (Qa & Qu). unfold Rminus at 1. eapply Rle_trans; [apply Rabs_triang|].
         apply Rplus_le_compat; auto. rewrite Rabs_Ropp, Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos.
         rewrite Rabs_pos_eq; lra. }
@@ -385,9 +368,7 @@ Proof.
     (G + A * (B + E)) (B + E) (A - a1) (controlled_constant a1 _ _ _ _ _ H) (controlled_constant a1 _ _ _ _ _ H')); auto.
   - lra.
   - intros t Ht. destruct (Hau t Ht). split; [lra|].
-    apply rderiv_eq with ((u t - a t * v1 t + a1 * v1 t) - (u t - a t * v1' t + a1 * v1' t)); [ring|].
-    apply rderiv_minus; apply rderiv_plus; auto; apply rderiv_scal;
-      [apply (f_x _ _ _ _ _ _ _ _ _ _ H)|apply (f_x _ _ _ _ _ _ _ _ _ _ H')]; auto.
+    pose proof (DV t Ht). pose proof (DV' t Ht). rate. ring.
   - apply (Lip V x v1 v2 s); auto. intros t Ht. apply Bd; auto.
   - apply (Lip V' x' v1' v2' s'); auto. intros t Ht. destruct (Bd' t Ht) as (_ & Q & _). lra.
   - intros t Ht. destruct (Bd' t Ht) as (b1 & b2 & b3). repeat split; lra.

@@ -1,6 +1,6 @@
 (** Motions under a force, put together from arcs: what starts on a smooth arc that obeys the law of friction runs
     along it; the mirror image of a motion; motions that repeat with the opposite sign. *)
-From InertialPair Require Import Dini Pair Forced ForcedExistence.
+From InertialPair Require Import Forced ForcedExistence.
 
 (** continuity along a path of times that never runs faster than time *)
 Lemma cont_path f c : (forall t, 0 <= t -> 0 <= c t) -> (forall r t, Rabs (c t - c r) <= Rabs (t - r)) -> cont f ->
@@ -49,6 +49,19 @@ Proof.
   intros u Hu. symmetry. apply join_after; lra.
 Qed.
 
+(** Lipschitz if both are *)
+Lemma lip_join T c f g r t : 0 <= T -> f T = g 0 -> (forall r t, 0 <= r <= t -> t <= T ->
+  Rabs (f t - f r) <= c * (t - r)) ->
+  (forall r t, 0 <= r <= t -> Rabs (g t - g r) <= c * (t - r)) -> 0 <= r <= t ->
+  Rabs (join T f g t - join T f g r) <= c * (t - r).
+Proof.
+  intros HT E F G Hr. unfold join. destruct (Rlt_dec t T), (Rlt_dec r T); try lra.
+  - apply F; lra.
+  - replace (g (t - T) - f r) with ((g (t - T) - g 0) + (f T - f r)) by lra. eapply Rle_trans; [apply Rabs_triang|].
+    pose proof (F r T ltac:(lra) (Rle_refl T)). pose proof (G 0 (t - T) ltac:(lra)). lra.
+  - replace (t - r) with (t - T - (r - T)) by ring. apply G. lra.
+Qed.
+
 Section Arcs.
 Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let forced := forced m1 m2 a1 a2 b.
@@ -92,17 +105,9 @@ Proof.
   assert (Lg : forall p q, 0 <= p <= q -> Rabs (g q - g p) <= c * (q - p)).
   { intros p q Hp. replace (g q - g p) with (z q - z p) by (unfold g; ring). auto. }
   assert (Rg : forall t k, rderiv z t k -> rderiv g t k).
-  { intros t k D. apply rderiv_eq with (0 + (k - 0)); [ring|].
-    apply rderiv_plus; [apply rderiv_const|apply rderiv_minus; [auto|apply rderiv_const]]. }
+  { intros t k D. unfold g. rate. ring. }
   constructor; auto using cont_join.
-  - intros r t Hr. destruct (Rle_dec t T) as [Le|].
-    { destruct (Early r ltac:(lra)) as (_ & _ & _ & ->), (Early t Le) as (_ & _ & _ & ->). auto. }
-    destruct (Late t ltac:(lra)) as (_ & _ & _ & ->). destruct (Rle_dec T r) as [Le|].
-    { destruct (Late r Le) as (_ & _ & _ & ->). replace (t - r) with (t - T - (r - T)) by ring. apply Lg. lra. }
-    destruct (Early r ltac:(lra)) as (_ & _ & _ & ->). pose proof (Al r T ltac:(lra) ltac:(lra)).
-    pose proof (Lg 0 (t - T) ltac:(lra)) as Q. rewrite <- G in Q.
-    replace (g (t - T) - s r) with ((g (t - T) - s T) + (s T - s r)) by ring.
-    eapply Rle_trans; [apply Rabs_triang|]. lra.
+  - intros r t. apply lip_join; auto.
   - intros t Ht k Hk W. destruct (Rlt_dec t T) as [Lt|].
     + destruct (Early t ltac:(lra)) as (_ & Q1 & Q2 & _). rewrite Q1, Q2 in W. apply rderiv_join_before; auto.
       apply (As t ltac:(lra) k Hk W).
@@ -134,6 +139,26 @@ Record forced_arc (T : R) (u X V1 V2 g : R -> R) : Prop := {
   fa_v2 : forall t, is_derive V2 t (b * g t / m2);
   fa_law : forall t, 0 <= t < T -> -1 <= g t <= 1 /\ (V2 t < V1 t -> g t = 1) /\ (V1 t < V2 t -> g t = -1) }.
 
+(** a slip is one, with the selection of one sign, as long as it goes on *)
+Lemma slip_arc T u X V V2 k : k = 1 \/ k = -1 -> (forall t, is_derive X t (V t)) ->
+  (forall t, is_derive V t ((u t - a2 * X t - a1 * V t - b * k) / m1)) -> (forall t, is_derive V2 t (b * k / m2)) ->
+  (forall t, 0 <= t < T -> 0 <= k * (V t - V2 t)) -> forced_arc T u X V V2 (fun _ => k).
+Proof.
+  intros Hk DX DV D2 S. constructor; auto. intros t Ht. specialize (S t Ht). destruct Hk; subst k; split; lra.
+Qed.
+
+(** and a stick, as long as its load is at most b *)
+Lemma stuck_arc T u X V : (forall t, is_derive X t (V t)) ->
+  (forall t, is_derive V t ((u t - a2 * X t - a1 * V t) / (m1 + m2))) ->
+  (forall t, 0 <= t < T -> - b <= m2 * (u t - a2 * X t - a1 * V t) / (m1 + m2) <= b) ->
+  forced_arc T u X V V (fun t => m2 * (u t - a2 * X t - a1 * V t) / (m1 + m2) / b).
+Proof.
+  intros DX DV L. constructor; auto.
+  - intros t. replace (_ / m1) with ((u t - a2 * X t - a1 * V t) / (m1 + m2)) by (field; lra). auto.
+  - intros t. replace (_ / m2) with ((u t - a2 * X t - a1 * V t) / (m1 + m2)) by (field; lra). auto.
+  - intros t Ht. specialize (L t Ht). split; [split; [undivide b|undivide b]; lra|split; intros; lra].
+Qed.
+
 (** [arc-begins] A smooth arc that satisfies the friction law under a force is the beginning of a motion under that
     force. *)
 Theorem arc_begins U u X V1 V2 g T : 0 <= T -> cont U -> (forall t, 0 <= t < T -> rderiv U t (u t)) ->
@@ -144,19 +169,17 @@ Proof.
   destruct (forced_existence m1 m2 a1 a2 b (X T) (V1 T) (V2 T) (fun t => U (T + t)) Hm1 Hm2 Ha1 Ha2 Hb (cont_shift _ _
     HT CU)) as (y & w1 & w2 & z & H & Y0 & W10 & W20). apply forced_moves in H.
   set (S := fun t => m2 / b * V2 t). assert (DS : forall t, rderiv S t (g t)).
-  { intros t. apply rderiv_eq with (m2 / b * (b * g t / m2)); [field; lra|]. apply rderiv_scal, rderiv_of_derive, AW. }
+  { intros t. unfold S. rate. field; lra. }
   exists (join T X y), (join T V1 w1), (join T V2 w2), (join T S (fun t => S T + (z t - z 0))).
   split; [|intros t Ht; rewrite !join_before by (auto; lra); auto].
   apply forced_moves. split; [auto|]. apply joined; [auto| |apply H|auto|auto|auto]. constructor.
-  - intros r t Hr Ht. apply (lip_between S g); [apply cont_scal; exact (cont_of_derive V2 _ AW)|auto|].
-    intros q Hq. split; [apply DS|apply Law; lra].
+  - intros r t Hr Ht. apply (lip_between S g); [continuous|auto|]. intros q Hq. split; [apply DS|apply Law; lra].
   - intros t Ht k Hk W. destruct (Law t Ht) as (_ & P & N). replace k with (g t); [apply DS|].
     destruct Hk; subst k; [apply P|apply N]; lra.
-  - exact (cont_of_derive X _ AX).
-  - exact (cont_of_derive V1 _ AV).
-  - intros t Ht. apply rderiv_of_derive, AX.
-  - intros t Ht. eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_plus; apply rderiv_scal;
-      [apply rderiv_of_derive, AV|apply DS]|apply DU; auto]]. field; lra.
+  - continuous.
+  - continuous.
+  - intros t Ht. rates.
+  - intros t Ht. rate. field; lra.
   - intros t Ht. unfold S. field; lra.
 Qed.
 

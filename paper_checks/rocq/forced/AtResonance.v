@@ -77,13 +77,12 @@ Qed.
 (** half a period as an arc of a motion *)
 Lemma edge_arc c : b / (m2 * om) <= c -> forced_arc m1 m2 0 a2 b T (fun t => F * sin (om * t + 0)) (edge_x c) (edge_v1 c) edge_v2 (fun _ => 1).
 Proof.
-  intros Hc. pose proof PI_RGT_0 as P. constructor.
+  intros Hc. pose proof PI_RGT_0 as P. apply slip_arc; auto.
   - intros t. unfold edge_x, edge_v1. auto_derive; auto. rewrite Tuned. unfold k, F, h. field. repeat split; lra.
   - intros t. unfold edge_x, edge_v1. auto_derive; auto. rewrite Rplus_0_r, Tuned. unfold k, F, h. field. repeat split; lra.
   - intros t. unfold edge_v2. auto_derive; auto. field. lra.
-  - intros t Ht. split; [lra|]. split; [auto|]. intros L. exfalso. destruct (Req_dec t 0) as [E|N].
-    + subst t. unfold edge_v1, edge_v2 in L. rewrite !Rmult_0_r, sin_0, cos_0 in L. lra.
-    + pose proof (edge_slips c t Hc ltac:(lra)). lra.
+  - intros t Ht. destruct (Req_dec t 0) as [->|N]; [|pose proof (edge_slips c t Hc ltac:(lra)); lra].
+    unfold edge_v1, edge_v2. rewrite !Rmult_0_r, sin_0, cos_0. lra.
 Qed.
 
 (** *** a motion that slips for ever, for these c *)

@@ -4,10 +4,6 @@
 From Coq Require Import Classical.
 From InertialPair Require Import Dini Forced ModeAtContact Analytic Modes.
 
-(** exp rises *)
-Lemma exp_mono p q : p <= q -> exp p <= exp q.
-Proof. intros [L|<-]; [apply Rlt_le, exp_increasing; auto|lra]. Qed.
-
 (** what the force asks beyond b is analytic with the force *)
 Lemma analytic_beyond m1 m2 a1 a2 b f x v1 t0 k : 0 < m2 -> analytic_at f t0 ->
   analytic_at (beyond m1 m2 a1 a2 b f x v1 t0 k) t0.
@@ -82,7 +78,7 @@ Proof. intros Ht. apply (gain_rate m1 m2 a1 a2 b Hm2 U u x v1 v2 s T H k t Ht (D
 Let place_rate t : 0 <= t -> rderiv y t (y' t).
 Proof. apply (place_rate m1 m2 a1 a2 b Hm2 U x v1 v2 s T H k t). Qed.
 Let cont_y : cont y.
-Proof. exact (cont_place m1 m2 a1 a2 b Hm2 U x v1 v2 s T H k). Qed.
+Proof. exact (cont_place m1 m2 a1 a2 b U x v1 v2 s T H k). Qed.
 
 (** so is body 1, by what the momentum allows *)
 Lemma lead_bounds t : c <= t <= T -> 0 <= y' t /\ m1 * y' t <= E t.

@@ -84,11 +84,8 @@ Qed.
 Lemma W_bounded : exists C, forall t, 0 <= t -> W t <= C.
 Proof.
   set (R0 := g ^ 2 / a1 + c * (g ^ 2 / a2)). exists (Rmax (W 0) (3 * R0 / c)). apply barrier; [|apply Rmax_l|].
-  - pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H). unfold W.
-    repeat apply cont_plus; apply cont_scal, cont_mult; auto.
-  - intros t Ht Hw e He. destruct (W_dini t Ht e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-    specialize (K h Hh). eapply Rle_trans; [exact K|]. apply Rmult_le_compat_r; [lra|]. apply Rplus_le_compat_r.
-      eapply Rle_trans; [apply W_rate|]. fold R0.
+  - continuous.
+  - intros t Ht Hw. eapply dini_weaken; [|exact (W_dini t Ht)]. eapply Rle_trans; [apply W_rate|]. fold R0.
     pose proof (Rmax_r (W 0) (3 * R0 / c)). assert (R0 <= c / 3 * W t); [|lra].
     replace R0 with (c / 3 * (3 * R0 / c)) by (field; lra). scale.
 Qed.

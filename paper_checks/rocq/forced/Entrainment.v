@@ -121,7 +121,7 @@ Proof.
   { intros r t Hr. rewrite (St t), (St r) by lra. apply (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr). }
   assert (H' : forced m1 m2 a1 a2 f drive x v1 v1 (fun t => m2 / f * v1 t)).
   { apply stuck_forced; auto; try apply H.
-    - intros t Ht. exact (stuck_needs m1 m2 a1 a2 b _ _ _ _ _ t H St Ht).
+    - intros t Ht. apply (stuck_needs m1 m2 a1 a2 b _ _ _ _ _ t 1 H Rlt_0_1); auto. intros r Hr. apply St. lra.
     - intros r t Hr. eapply Rle_trans; [apply Lv; auto|]. scale. }
   apply gentle_needs. intros r t Hr. apply le_epsilon. intros d Hd.
   destruct (approach m1 m2 a1 a2 f Hm1 Hm2 Ha Ha2 Hf _ _ _ _ _ _ _ _ _ F H' (response f Hf ltac:(fold K; lra)) HF drive_lip

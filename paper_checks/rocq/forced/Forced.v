@@ -1,6 +1,6 @@
 (** The pair under a force on body 1: solutions, contraction, uniqueness, energy, what body 2 can follow, least time.
     The force enters through its impulse U (U' = u from the right): any continuous U is allowed, so jumps of u are. *)
-From InertialPair Require Import Dini Pair Pursuit.
+From InertialPair Require Export Rates.
 
 Lemma rderiv_unique f t l k : rderiv f t l -> rderiv f t k -> l = k.
 Proof.
@@ -10,66 +10,33 @@ Proof.
     ring. rewrite Rabs_mult, (Rabs_pos_eq (d / 2)) in Q by lra. nra.
 Qed.
 
-(** sqrt is concave: it carries an upper right derivative over without a condition on the increment *)
-Lemma sqrt_dini y t k : (forall u, 0 < y u) -> dini_le y t k -> dini_le (fun u => sqrt (y u)) t (k / (2 * sqrt (y t))).
-Proof.
-  intros P F e He. pose proof (sqrt_lt_R0 _ (P t)) as Sp. destruct (F (2 * sqrt (y t) * e)) as (d & Hd & K); [nra|].
-  exists d; split; auto. intros h Hh.
-  assert (Q : sqrt (y (t + h)) - sqrt (y t) <= (y (t + h) - y t) / (2 * sqrt (y t))).
-  { rewrite <- (sqrt_sqrt (y (t + h))) at 2 by (apply Rlt_le; auto).
-    rewrite <- (sqrt_sqrt (y t)) at 2 by (apply Rlt_le; auto).
-    apply Rmult_le_reg_r with (2 * sqrt (y t)); [lra|]. unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-    pose proof (pow2_ge_0 (sqrt (y (t + h)) - sqrt (y t))). nra. }
-  eapply Rle_trans; [exact Q|]. apply Rmult_le_reg_r with (2 * sqrt (y t)); [lra|].
-  unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-  replace ((k / (2 * sqrt (y t)) + e) * h * (2 * sqrt (y t))) with ((k + 2 * sqrt (y t) * e) * h) by (field; lra). auto.
-Qed.
-
-(** so is the root of what is bounded away from 0 *)
-Lemma cont_sqrt y c : 0 < c -> (forall u, c <= y u) -> cont y -> cont (fun u => sqrt (y u)).
-Proof.
-  intros Hc P C t Ht e He. pose proof (sqrt_lt_R0 _ Hc) as Sp. destruct (C t Ht (sqrt c * e)) as (d & Hd & K); [nra|].
-  exists d; split; auto. intros u Hu Hd1. specialize (K u Hu Hd1).
-  assert (S1 : sqrt c <= sqrt (y u)) by (apply sqrt_le_1_alt; auto).
-    assert (S2 : sqrt c <= sqrt (y t)) by (apply sqrt_le_1_alt; auto).
-  apply Rmult_lt_reg_l with (sqrt c); auto. eapply Rle_lt_trans; [|exact K].
-  rewrite <- (sqrt_sqrt (y u)) at 2 by (specialize (P u); lra).
-    rewrite <- (sqrt_sqrt (y t)) at 2 by (specialize (P t); lra).
-  replace (sqrt (y u) * sqrt (y u) - sqrt (y t) * sqrt (y t)) with ((sqrt (y u) + sqrt (y t)) * (sqrt (y u) - sqrt
-    (y t))) by ring.
-  rewrite Rabs_mult, (Rabs_pos_eq (_ + _)) by lra. scale.
-Qed.
-
 (** if D' <= j sqrt (2 D), then sqrt (2 D) grows at most by the integral J of j *)
 Lemma root_grows D j J r t : cont D -> (forall u, 0 <= D u) -> cont J -> 0 <= r <= t ->
   (forall u, r <= u < t -> 0 <= j u /\ rderiv J u (j u) /\ dini_le D u (j u * sqrt (2 * D u))) ->
   sqrt (2 * D t) <= sqrt (2 * D r) + (J t - J r).
 Proof.
-  intros CD PD CJ Hr HJ. apply le_epsilon. intros e He. assert (e2 : 0 < e ^ 2) by nra.
-  set (y := fun u => 2 * D u + e ^ 2). assert (yP : forall u, e ^ 2 <= y u) by (intros u; unfold y; specialize (PD u);
-    lra).
-  assert (yP0 : forall u, 0 < y u) by (intros u; specialize (yP u); lra).
-  assert (G : sqrt (y t) - J t <= sqrt (y r) - J r).
-  { apply (dini_mono (fun u => sqrt (y u) - J u)); auto.
-    - apply cont_minus; auto. apply (cont_sqrt y (e ^ 2)); auto. apply cont_plus; [apply cont_scal; auto|apply
-      cont_const].
-    - intros u Hu q Hq. destruct (HJ u Hu) as (Pj & Ju & HD). set (l := j u * sqrt (2 * D u)) in *.
-      assert (Fy : dini_le y u (2 * l)).
-      { intros p Hp. destruct (HD (p / 2)) as (d & Hd & K); [lra|]. exists d; split; auto. intros h Hh.
-        specialize (K h Hh). unfold y. lra. }
-      destruct (sqrt_dini y u _ yP0 Fy (q / 2)) as (d1 & Hd1 & K1); [lra|]. destruct (Ju (q / 2)) as (d2 & Hd2 & K2);
-        [lra|].
-      smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
-      assert (B : 2 * l / (2 * sqrt (y u)) <= j u).
-      { pose proof (sqrt_lt_R0 _ (yP0 u)) as Sy. apply Rmult_le_reg_r with (sqrt (y u)); auto.
-        replace (2 * l / (2 * sqrt (y u)) * sqrt (y u)) with l by (field; lra). apply Rmult_le_compat_l; auto.
-        apply sqrt_le_1_alt. unfold y. lra. }
-      nra. }
-  assert (A : sqrt (2 * D t) <= sqrt (y t)) by (apply sqrt_le_1_alt; unfold y; lra).
-  assert (B : sqrt (y r) <= sqrt (2 * D r) + e).
-  { pose proof (sqrt_pos (2 * D r)) as Q. rewrite <- (sqrt_pow2 (sqrt (2 * D r) + e)) by lra. apply sqrt_le_1_alt.
-    pose proof (sqrt_sqrt (2 * D r) ltac:(specialize (PD r); lra)). unfold y. nra. }
-  lra.
+  intros CD PD CJ Hr HJ. assert (Up : forall u, r <= u <= t -> J r <= J u).
+  { intros u Hu. apply Ropp_le_cancel, (rderiv_mono (fun u => - J u) r u (fun u => - j u)); [continuous|lra|].
+    intros q Hq. destruct (HJ q ltac:(lra)) as (Pj & Ju & _). split; [rates|lra]. }
+  cut (sqrt (2 * D t) - J t <= sqrt (2 * D r) - J r); [lra|]. apply le_epsilon. intros e He.
+  apply (barrier_until (fun u => sqrt (2 * D u) - J u) _ r t); [|auto|lra|].
+  - apply cont_minus; auto. apply (cont_comp sqrt); [|continuous]. intros u _. apply continuity_pt_sqrt.
+    specialize (PD u). lra.
+  - intros u Hu Above. destruct (HJ u Hu) as (_ & Ju & HD). specialize (Up u ltac:(lra)).
+    pose proof (sqrt_pos (2 * D r)).
+    eapply dini_eq; [|exact (dini_plus _ _ _ _ _ (sqrt_dini (fun u => 2 * D u) u _
+      ltac:(intros q; specialize (PD q); lra)
+      ltac:(cbv beta; lra) (dini_scal 2 D u _ ltac:(lra) HD)) (rderiv_opp _ _ _ Ju))]. cbv beta. field. lra.
+Qed.
+
+(** sizes by squares *)
+Lemma square_bound m z c : 0 < m -> 0 <= c -> m * z ^ 2 <= m * c ^ 2 -> Rabs z <= c.
+Proof. intros Hm Hc Q. apply Rabs_le, sq_le_abs; auto. apply Rmult_le_reg_l with m; auto. Qed.
+Lemma root_bound m z q : 0 < m -> m * z ^ 2 <= q -> Rabs z <= sqrt (q / m).
+Proof.
+  intros Hm Q. apply (square_bound m); [auto|apply sqrt_pos|]. rewrite pow2_sqrt.
+  - replace (m * (q / m)) with q by (field; lra). auto.
+  - apply Rdiv_le_0_compat; auto. pose proof (pow2_ge_0 z). nra.
 Qed.
 
 (** *** what a force can do: the root of twice the energy bounds the velocity of body 1, and grows at most by what the force
@@ -80,6 +47,13 @@ Lemma energy_above x v1 v2 : sqrt m1 * Rabs v1 <= sqrt (2 * energy m1 m2 a2 x v1
 Proof.
   rewrite <- (sqrt_Rsqr_abs v1), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt. unfold energy, Rsqr. nra.
 Qed.
+(** and what an energy bounds *)
+Lemma energy_parts x v1 v2 E : energy m1 m2 a2 x v1 v2 <= E -> a2 * x ^ 2 <= 2 * E /\ m1 * v1 ^ 2 <= 2 * E /\
+  m2 * v2 ^ 2 <= 2 * E.
+Proof.
+  unfold energy. intros Q. assert (0 <= a2 * x ^ 2) by positive. assert (0 <= m1 * v1 ^ 2) by positive.
+  assert (0 <= m2 * v2 ^ 2) by positive. lra.
+Qed.
 Lemma pushed_apart x v1 v2 du J r t : let D t := energy m1 m2 a2 (x t) (v1 t) (v2 t) in cont D -> cont J -> 0 <= r <= t ->
   (forall u, r <= u < t -> rderiv J u (Rabs (du u)) /\ dini_le D u (du u * v1 u)) ->
   sqrt (2 * D t) <= sqrt (2 * D r) + (J t - J r) / sqrt m1.
@@ -88,10 +62,8 @@ Proof.
   replace ((J t - J r) / sqrt m1) with (/ sqrt m1 * J t - / sqrt m1 * J r) by (field; lra).
   apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using cont_scal.
   - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
-  - intros u Hu. destruct (HU u Hu) as (DJ & DD). split; [positive|split; [apply rderiv_scal; auto|]]. intros e He.
-    destruct (DD e He) as (d & Hd & K). exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|].
-    apply Rmult_le_compat_r; [lra|]. pose proof (Rle_abs (du u * v1 u)) as P. rewrite Rabs_mult in P.
-    assert (Rabs (du u) * Rabs (v1 u) <= / sqrt m1 * Rabs (du u) * sqrt (2 * D u)); [|lra].
+  - intros u Hu. destruct (HU u Hu) as (DJ & DD). split; [positive|split; [apply rderiv_scal; auto|]].
+    eapply dini_weaken; [|exact DD]. eapply Rle_trans; [apply Rle_abs|]. rewrite Rabs_mult.
     replace (Rabs (du u) * _) with (/ sqrt m1 * Rabs (du u) * (sqrt m1 * Rabs (v1 u))) by (field; lra).
     apply Rmult_le_compat_l; [positive|apply energy_above].
 Qed.
@@ -141,7 +113,7 @@ Proof.
     apply cont_plus; [auto|apply cont_const].
   - intros t Ht. apply rderiv_ext with (fun r => m1 * v1 r + b * s r - U r + (U 0 - U' 0)).
     { intros r Hr. specialize (E r ltac:(lra)). lra. }
-    apply rderiv_eq with (- (a2 * x t + a1 * v1 t) + 0); [ring|]. apply rderiv_plus; [auto|apply rderiv_const].
+    rate; ring.
 Qed.
 
 (** *** Energy: E' = u v1 - a1 v1^2 - b |v1 - v2| wherever the impulse has the right derivative u *)
@@ -168,8 +140,7 @@ Theorem input_to_state du J r t : cont J -> 0 <= r <= t ->
 Proof.
   intros CJ Hr HU. apply (pushed_apart m1 m2 a2 Hm1 Hm2 Ha2 (fun t => x t - x' t) (fun t => v1 t - v1' t) (fun t => v2 t - v2' t) du);
     auto; [exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H')|]. intros u Hu. destruct (HU u Hu) as (DU & DJ). split; auto.
-  intros e He. destruct (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) DU e He) as (d & Hd & K).
-  exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
+  eapply dini_weaken; [|exact (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) DU)].
   pose proof (pow2_ge_0 (v1 u - v1' u)). nra.
 Qed.
 End Two.
@@ -208,7 +179,7 @@ Lemma forced_v2_rate U x v1 v2 s t k : forced U x v1 v2 s -> 0 <= t -> rderiv s 
 Proof.
   intros H Ht S. apply rderiv_ext with (fun u => (v2 t - b / m2 * s t) + b / m2 * s u).
   { intros u Hu. pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H t u Ht ltac:(lra)). lra. }
-  apply rderiv_eq with (0 + b / m2 * k); [ring|]. apply rderiv_plus; [apply rderiv_const|apply rderiv_scal; auto].
+  rate; ring.
 Qed.
 
 (** [must-stick] At a time at which body 2 accelerates by less than $b/m_2$, $v_1=v_2$. *)
@@ -245,12 +216,10 @@ Proof.
   assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
   apply stuck_forced; auto.
   - repeat apply cont_plus; apply cont_scal; auto using integral_cont.
-  - intros t Ht. apply rderiv_eq with (0 + r' t - 0); [ring|].
-    apply rderiv_minus; [apply rderiv_plus; [apply rderiv_const|auto]|apply rderiv_const].
+  - intros t Ht. rate; ring.
   - intros t Ht. apply rderiv_ext with (fun u => - a1 * r u + - a2 * integral (fun u => x0 + r u - r 0) u).
     { intros u Hu. ring. }
-    apply rderiv_eq with (- a1 * r' t + - a2 * (x0 + r t - r 0)); [ring|].
-    apply rderiv_plus; apply rderiv_scal; auto. apply (integral_rderiv (fun u => x0 + r u - r 0)); auto.
+    rate; ring.
 Qed.
 
 (** [trackable] From some initial state of body 1 some force makes body 2 follow a velocity exactly if that is
@@ -269,18 +238,17 @@ Lemma tracking_force x0 r r' t l : cont r -> rderiv r t (r' t) -> rderiv r' t l 
   rderiv (fun t => M * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t) t (M * l + a1 * r' t + a2 *
     (x0 + r t - r 0)).
 Proof.
-  intros C R R' Ht. assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
-  repeat apply rderiv_plus; apply rderiv_scal; auto. apply (integral_rderiv (fun u => x0 + r u - r 0)); auto.
+  intros. rate; ring.
 Qed.
 
-(** a permanent stick leaves no choice: the force must be M v' + a1 v + a2 x *)
-Theorem stuck_needs U x v1 v2 s t : forced U x v1 v2 s -> (forall r, 0 <= r -> v1 r = v2 r) -> 0 <= t ->
+(** a stick leaves no choice: the force must be M v' + a1 v + a2 x *)
+Theorem stuck_needs U x v1 v2 s t d : forced U x v1 v2 s -> 0 < d -> (forall r, t <= r < t + d -> v1 r = v2 r) ->
+  0 <= t ->
   rderiv (fun r => M * v1 r - U r) t (- (a2 * x t + a1 * v1 t)).
 Proof.
-  intros H St Ht. apply rderiv_ext with (fun r => m1 * v1 r + b * s r - U r + (m2 * v2 0 - b * s 0)).
+  intros H Hd St Ht. apply rderiv_near with (fun r => m1 * v1 r + b * s r - U r + (m2 * v2 0 - b * s 0)) d; auto.
   - intros r Hr. pose proof (f_v2 _ _ _ _ _ H r ltac:(lra)). rewrite (St r) by lra. unfold M. lra.
-  - apply rderiv_eq with (- (a2 * x t + a1 * v1 t) + 0); [ring|].
-    apply rderiv_plus; [apply (f_v1 _ _ _ _ _ H); auto|apply rderiv_const].
+  - destruct H. rate; ring.
 Qed.
 
 (** *** Where body 2 can be: the fastest ways to gain distance are full acceleration and then full braking *)
@@ -291,20 +259,13 @@ Proof.
   intros Hbe HT C R Lw. set (d := (w T - w 0) / be). assert (Ed : w T = w 0 + be * d) by (unfold d; field; lra).
   pose proof (Lw 0 T ltac:(lra)) as L0. apply Rabs_inv in L0. assert (Hd : - T <= d <= T) by (split; nra).
   set (p := (T + d) / 2). assert (Hp : 0 <= p <= T) by (unfold p; lra).
-  assert (A : y p - (w 0 * p + be * p ^ 2 / 2) <= y 0 - (w 0 * 0 + be * 0 ^ 2 / 2)).
-  { apply (rderiv_mono (fun u => y u - (w 0 * u + be * u ^ 2 / 2)) 0 p (fun u => w u - (w 0 + be * u))); [|lra|].
-    - apply cont_minus; auto. apply cont_of_derive with (fun u => w 0 + be * u). intros u. auto_derive; auto; field.
-    - intros u Hu. split.
-      + apply rderiv_minus; [apply R; lra|]. apply rderiv_of_derive. auto_derive; auto; field.
-      + pose proof (Lw 0 u ltac:(lra)) as Q. apply Rabs_inv in Q. lra. }
-  assert (B : y T + (w T * (T - T) + be * (T - T) ^ 2 / 2) <= y p + (w T * (T - p) + be * (T - p) ^ 2 / 2)).
-  { apply (rderiv_mono (fun u => y u + (w T * (T - u) + be * (T - u) ^ 2 / 2)) p T (fun u => w u + - (w T + be *
-    (T - u)))); [|lra|].
-    - apply cont_plus; auto. apply cont_of_derive with (fun u => - (w T + be * (T - u))). intros u.
-      auto_derive; auto; field.
-    - intros u Hu. split.
-      + apply rderiv_plus; [apply R; lra|]. apply rderiv_of_derive. auto_derive; auto; field.
-      + pose proof (Lw u T ltac:(lra)) as Q. apply Rabs_inv in Q. lra. }
+  pose proof (slower y w (fun u => w 0 * u + be * u ^ 2 / 2) (fun u => w 0 + be * u) 0 p C ltac:(lra)
+    ltac:(intros; auto_derive; auto; field) ltac:(intros u Hu; pose proof (Lw 0 u ltac:(lra)) as Q; apply Rabs_inv in Q;
+      split; [apply R|]; lra)) as A.
+  pose proof (slower y w (fun u => - (w T * (T - u) + be * (T - u) ^ 2 / 2)) (fun u => w T + be * (T - u)) p T C
+    ltac:(lra)
+    ltac:(intros; auto_derive; auto; field) ltac:(intros u Hu; pose proof (Lw u T ltac:(lra)) as Q; apply Rabs_inv in Q;
+      split; [apply R|]; lra)) as B. cbv beta in A, B.
   apply Rle_trans with (w 0 * p + be * p ^ 2 / 2 + (w T * (T - p) + be * (T - p) ^ 2 / 2)); [lra|].
   rewrite Ed. apply Req_le. unfold p. field.
 Qed.
@@ -313,14 +274,13 @@ Qed.
 Theorem reach U x v1 v2 s x2 T : forced U x v1 v2 s -> cont x2 -> (forall t, 0 <= t -> rderiv x2 t (v2 t)) -> 0 <= T ->
   Rabs (x2 T - x2 0 - (v2 0 + v2 T) * T / 2) <= b / m2 / 4 * (T ^ 2 - ((v2 T - v2 0) * m2 / b) ^ 2).
 Proof.
-  intros H C R HT. assert (Hk : 0 < b / m2) by positive. pose proof (fun p q => only_gentle _ _ _ _ _ p q H) as L.
-  pose proof (travel x2 v2 _ T Hk HT C R L) as A.
-  assert (B : -1 * x2 T - -1 * x2 0 <= (-1 * v2 0 + -1 * v2 T) * T / 2 + b / m2 / 4 * (T ^ 2 - ((-1 * v2 T - -1 *
-    v2 0) / (b / m2)) ^ 2)).
-  { apply (travel (fun u => -1 * x2 u) (fun u => -1 * v2 u)); auto using cont_scal, rderiv_scal.
-    intros p q Hp. replace (-1 * v2 q - -1 * v2 p) with (- (v2 q - v2 p)) by ring. rewrite Rabs_Ropp. auto. }
-  replace ((-1 * v2 T - -1 * v2 0) / (b / m2)) with (- ((v2 T - v2 0) * m2 / b)) in B by (field; lra).
-  replace ((v2 T - v2 0) / (b / m2)) with ((v2 T - v2 0) * m2 / b) in A by (field; lra). apply Rabs_le. lra.
+  intros H C R HT. apply both_signs. intros k Hk.
+  pose proof (travel (fun u => k * x2 u) (fun u => k * v2 u) (b / m2) T ltac:(positive) HT ltac:(continuous)
+    ltac:(intros; rates)
+    ltac:(intros p q Hp; cbv beta; rewrite <- Rmult_minus_distr_l, Rabs_sign by auto;
+      exact (only_gentle _ _ _ _ _ p q H Hp))) as A.
+  cbv beta in A. replace (((k * v2 T - k * v2 0) / (b / m2)) ^ 2) with (((v2 T - v2 0) * m2 / b) ^ 2) in A
+    by (destruct Hk; subst k; field; lra). lra.
 Qed.
 
 (** [least-time] From rest to rest over $D$ takes at least $2\sqrt{m_2D/b}$, whatever the force. *)
@@ -353,6 +313,9 @@ Proof.
   apply Rabs_le. unfold Rabs. destruct (Rcase_abs (y + h)), (Rcase_abs y); split; nra.
 Qed.
 
+(** the sizes that it is made of *)
+Ltac motion ::= first [apply rderiv_half | apply rderiv_Rabs].
+
 (** the velocity of the fastest transfer: up, then down *)
 Definition bang tau t := b / m2 * ((Rabs (t - 2 * tau) + Rabs (t - 0) - 2 * Rabs (t - tau)) / 2).
 (** its place *)
@@ -363,19 +326,10 @@ Definition push tau t := b / m2 * ((side (t - 2 * tau) + side (t - 0) - 2 * side
 
 (** the velocity has that acceleration *)
 Lemma rderiv_bang tau t : rderiv (bang tau) t (push tau t).
-Proof.
-  apply rderiv_scal. apply rderiv_eq with (/ 2 * (side (t - 2 * tau) + side (t - 0) - 2 * side (t - tau))); [field|].
-  apply rderiv_ext with (fun u => / 2 * (Rabs (u - 2 * tau) + Rabs (u - 0) - 2 * Rabs (u - tau))); [intros; field|].
-  apply rderiv_scal, rderiv_minus; [apply rderiv_plus|apply rderiv_scal]; apply rderiv_Rabs.
-Qed.
+Proof. unfold bang, push. generalize (b / m2). intros c. rate. field. Qed.
 (** the place has that velocity *)
 Lemma rderiv_run tau t : rderiv (run tau) t (bang tau t).
-Proof.
-  apply rderiv_scal. apply rderiv_eq with (/ 2 * (Rabs (t - 2 * tau) + Rabs (t - 0) - 2 * Rabs (t - tau))); [field|].
-  apply rderiv_ext with (fun u => / 2 * ((u - 2 * tau) * Rabs (u - 2 * tau) / 2 + (u - 0) * Rabs (u - 0) / 2 - 2 * ((u -
-    tau) * Rabs (u - tau) / 2))); [intros; field|].
-  apply rderiv_scal, rderiv_minus; [apply rderiv_plus|apply rderiv_scal]; apply rderiv_half.
-Qed.
+Proof. unfold run, bang. generalize (b / m2). intros c. rate. field. Qed.
 (** the velocity changes as fast as friction allows and no faster *)
 Lemma bang_lip tau p q : 0 <= tau -> 0 <= p <= q -> Rabs (bang tau q - bang tau p) <= b / m2 * (q - p).
 Proof.
@@ -392,31 +346,27 @@ Theorem least_time_attained x0 D : 0 < D -> exists U x v1 v2 s x2, forced U x v1
 Proof.
   intros HD. assert (Hq : 0 < m2 * D / b) by positive. set (tau := sqrt (m2 * D / b)).
   assert (Ht : 0 < tau) by positive. assert (Sq : tau * tau = m2 * D / b) by (apply sqrt_sqrt; lra).
-  assert (C : cont (run tau)).
-  { assert (CA : forall c, cont (fun t => (t - c) * Rabs (t - c) / 2)).
-    { intros c. assert (Cl : cont (fun t => t - c)). { apply (lip_cont _ 1); [lra|]. intros r t Hr.
-      rewrite Rabs_pos_eq; lra. }
-      apply cont_ext with (fun t => / 2 * ((t - c) * Rabs (t - c))); [intros; field|].
-        apply cont_scal, cont_mult; auto using cont_abs. }
-    apply cont_scal. apply cont_ext with (fun t => / 2 * ((t - 2 * tau) * Rabs (t - 2 * tau) / 2 + (t
-      - 0) * Rabs (t - 0) / 2
-      - 2 * ((t - tau) * Rabs (t - tau) / 2))); [intros; field|].
-        apply cont_scal, cont_minus; [apply cont_plus; apply CA|apply cont_scal, CA]. }
+  assert (cont (fun t => t)) by (apply (lip_cont _ 1); [lra|]; intros; rewrite Rabs_pos_eq; lra).
+  assert (C : cont (run tau)) by (unfold run; continuous).
   assert (L : forall p q, 0 <= p <= q -> Rabs (bang tau q - bang tau p) <= b / m2 * (q - p)) by (intros;
     apply bang_lip; lra).
   assert (B0 : bang tau 0 = 0). { unfold bang. rewrite Rminus_0_r, Rabs_R0, !Rabs_left by lra. field; lra. }
   exists (fun t => M * bang tau t + a1 * run tau t + a2 * integral (fun u => x0 + run tau u - run tau 0) t),
     (fun t => x0 + run tau t - run tau 0), (bang tau), (bang tau), (fun t => m2 / b * bang tau t),
       (fun t => run tau t - run tau 0).
-  split; [apply trackable; auto using rderiv_run|]. split; [apply cont_minus; auto using cont_const|]. split.
-  { intros t _. apply rderiv_eq with (bang tau t - 0); [ring|].
-    apply rderiv_minus; [apply rderiv_run|apply rderiv_const]. }
+  split; [apply trackable; auto using rderiv_run|]. split; [continuous|]. split.
+  { intros t _. pose proof (rderiv_run tau t). rate; ring. }
   repeat split; auto; try ring.
-  - unfold bang. rewrite !Rabs_pos_eq by lra. field; lra.
-  - unfold bang. rewrite !Rabs_pos_eq by lra. field; lra.
+  1, 2: unfold bang; rewrite !Rabs_pos_eq by lra; field; lra.
   - unfold run. rewrite !(Rabs_pos_eq (t - _)) by lra. rewrite (Rminus_0_r 0), Rabs_R0, !Rabs_left by lra.
     replace D with (b / m2 * (m2 * D / b)) by (field; lra). rewrite <- Sq. field; lra.
   - apply rderiv_eq with (M * push tau t + a1 * bang tau t + a2 * (x0 + run tau t - run tau 0)); [ring|].
     apply (tracking_force x0 (run tau) (bang tau)); auto using rderiv_run, rderiv_bang.
 Qed.
 End Forced.
+
+(** what is known of a motion *)
+Ltac forced_fact := first [eapply f_cv; eassumption | eapply f_cx; eassumption | eapply f_cU; eassumption
+  | eapply moves_cs, forced_moving; eassumption | eapply moves_cv2; [|eapply forced_moving; eassumption]; assumption
+  | eapply f_x; [eassumption|lra] | eapply f_v1; [eassumption|lra]].
+Ltac motion ::= forced_fact.

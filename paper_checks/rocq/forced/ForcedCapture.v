@@ -29,7 +29,7 @@ Proof.
 Qed.
 
 Lemma cont_w : cont w.
-Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
+Proof. continuous. Qed.
 
 (** while it slips, |v1 - v2| falls at least at a fixed rate *)
 Theorem catch t : T + Rabs (w T) / (kap * g) <= t -> v1 t = v2 t.

@@ -24,8 +24,7 @@ Proof.
     apply rderiv_plus; apply rderiv_scal; [apply N|apply N']; tauto.
   - intros t Ht. apply rderiv_ext with (fun u => / 2 * (m1 * v1 u + b * s u - U u) + / 2 * (m1 * w1 u + b * r u - U u)).
     { intros; field. }
-    apply rderiv_eq with (/ 2 * - (a2 * x t + a1 * v1 t) + / 2 * - (a2 * y t + a1 * w1 t)); [field|].
-    apply rderiv_plus; apply rderiv_scal; auto.
+    rate. field.
   - intros t Ht. specialize (W t Ht). specialize (W' t Ht). lra.
 Qed.
 
@@ -52,8 +51,7 @@ Theorem by_halves_nonstop om F phi x v1 v2 s : 0 < om -> by_halves om F phi x v1
   exists x' v1' v2' s', nonstop m1 m2 a1 a2 b om F phi x' v1' v2' s'.
 Proof.
   intros Hom (H & Pe & Fo & Ba). pose proof (Rdiv_lt_0_compat _ _ PI_RGT_0 Hom) as HT. set (T := PI / om) in *.
-  assert (Cw : cont (fun t => v1 t - v2 t)).
-  { apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H)]. }
+  assert (Cw : cont (fun t => v1 t - v2 t)) by continuous.
   assert (Ends : v1 0 = v2 0 /\ v1 T = v2 T).
   { destruct (ends_nonneg (fun t => v1 t - v2 t) 0 T Cw ltac:(lra) ltac:(intros t Ht; specialize (Fo t Ht); lra)) as
       (A & B).

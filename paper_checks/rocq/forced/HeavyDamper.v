@@ -75,7 +75,7 @@ Proof.
   assert (E : exp (- (a1 / m1 * (t - r))) <= 4 * m1 ^ 2 / (a1 ^ 2 * e ^ 2)).
   { apply Rle_trans with (exp (- (a1 / m1 * e))).
     - assert (a1 / m1 * e <= a1 / m1 * (t - r)) by (apply Rmult_le_compat_l; [positive|lra]).
-      destruct (Req_dec (a1 / m1 * (t - r)) (a1 / m1 * e)) as [->|]; [lra|]. apply Rlt_le, exp_increasing. lra.
+      apply exp_mono. lra.
     - eapply Rle_trans; [apply exp_square; positive|]. right. field. lra. }
   assert (Z : 0 <= a1 * (a2 * X + V + b)) by positive. pose proof (exp_pos (- (a1 / m1 * (t - r)))).
   assert (F : exp (- (a1 / m1 * (t - r))) * (k * p r - (b * c + g)) <= 4 * m1 ^ 2 / (a1 ^ 2 * e ^ 2) * (a1 * (a2 * X + V
@@ -116,13 +116,11 @@ Qed.
 (** in a slip that lasts p tends to minus friction *)
 Lemma creeping k t : k = 1 \/ k = -1 -> 0 <= t - e -> (forall u, t - e <= u < t -> 0 < k * w u) -> Rabs (p t + b * k) <= C e / a1.
 Proof.
-  intros Hk Ht Sl.
-  assert (Q : forall j, j = 1 \/ j = -1 -> j * p t <= b * (- j * k) + C e / a1).
-  { intros j Hj. apply (load_after e j (- j * k) (t - e) t A1 He Hj); [|lra|lra|].
-    - destruct Hj, Hk; subst; lra.
-    - intros u Hu. eapply rderiv_dini; [apply Rle_refl|]. apply rderiv_scal.
-      apply (q_slip _ _ _ _ _ _ _ _ _ _ _ (solution_moving _ _ _ _ _ _ _ _ _ H)); [lra|exact Hk|exact (Sl u Hu)]. }
-  pose proof (Q 1 ltac:(auto)). pose proof (Q (-1) ltac:(auto)). apply Rabs_le. lra.
+  intros Hk Ht Sl. apply both_signs. intros j Hj. cut (j * p t <= b * (- j * k) + C e / a1); [lra|].
+  apply (load_after e j (- j * k) (t - e) t A1 He Hj); [|lra|lra|].
+  - destruct Hj, Hk; subst; lra.
+  - intros u Hu. eapply rderiv_dini; [apply Rle_refl|]. apply rderiv_scal.
+    apply (q_slip _ _ _ _ _ _ _ _ _ _ _ (solution_moving _ _ _ _ _ _ _ _ _ H)); [lra|exact Hk|exact (Sl u Hu)].
 Qed.
 
 (** a contact from then on is the last *)
@@ -212,9 +210,9 @@ Proof.
   intros a1 x v1 v2 s Large H Sx Sv Sw. unfold A in Large.
   assert (B : forall t, 0 <= t -> - X <= x t <= X /\ - V <= v1 t <= V).
   { intros t Ht. pose proof (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ H 0 t ltac:(lra)) as De.
-    cbv beta zeta in De. rewrite Sx, Sv, Sw in De. fold E0 in De. unfold energy in De.
-    assert (0 <= m1 * v1 t ^ 2) by positive. assert (0 <= m2 * v2 t ^ 2) by positive.
-    assert (0 <= a2 * x t ^ 2) by positive. split; apply sq_le_abs; try (unfold X, V; lra).
+    cbv beta zeta in De. rewrite Sx, Sv, Sw in De. fold E0 in De.
+    destruct (energy_parts m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ De) as (Qx & Qv & _).
+    split; apply sq_le_abs; try (unfold X, V; lra).
     - assert (x t ^ 2 <= 2 * E0 / a2) by (undivide a2; lra). unfold X. nra.
     - assert (v1 t ^ 2 <= 2 * E0 / m1) by (undivide m1; lra). unfold V. nra. }
   assert (BX := fun t Ht => proj1 (B t Ht)). assert (BV := fun t Ht => proj2 (B t Ht)).

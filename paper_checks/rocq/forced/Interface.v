@@ -22,24 +22,26 @@ Record rubs (b U x v1 v2 F : R -> R) : Prop := {
   r_v1 : forall t, 0 <= t -> rderiv (fun r => m1 * v1 r + F r - U r) t (- (a2 * x t + a1 * v1 t));
   r_v2 : forall t, 0 <= t -> m2 * v2 t - F t = m2 * v2 0 - F 0 }.
 
+(** what is known of such a motion *)
+Ltac rubs_fact := first [eapply r_cx; eassumption | eapply r_cv; eassumption | eapply r_cU; eassumption
+  | eapply r_cF; eassumption | eapply r_x; [eassumption|lra] | eapply r_v1; [eassumption|lra]].
+Ltac motion ::= first [rubs_fact | forced_fact].
+
 (** friction's impulse is as fast as its strength allows *)
 Lemma cap_lip f c r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> forall e, 0 < e -> exists d, 0 < d /\
   forall h, 0 < h < d -> Rabs (f (u + h) - f u) <= (c + e) * h) -> Rabs (f t - f r) <= c * (t - r).
 Proof.
-  intros C Hr Ca. assert (Up : forall k, k = 1 \/ k = -1 -> k * f t - k * f r <= c * (t - r)).
-  { intros k Hk. apply (dini_slope (fun t => k * f t)); auto using cont_scal. intros u Hu e He.
-    destruct (Ca u Hu e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh). apply Rabs_inv in K.
-    destruct Hk; subst k; lra. }
-  pose proof (Up 1 ltac:(auto)). pose proof (Up (-1) ltac:(auto)). apply Rabs_le. lra.
+  intros C Hr Ca. apply both_signs. intros k Hk. rewrite Rmult_minus_distr_l.
+  apply (dini_slope (fun t => k * f t)); [continuous|auto|]. intros u Hu e He.
+  destruct (Ca u Hu e He) as (d & Hd & K). exists d; split; auto. intros h Hh. eapply Rle_trans; [|apply (K h Hh)].
+  rewrite <- Rmult_minus_distr_l, <- (Rabs_sign k) by auto. apply Rle_abs.
 Qed.
 
 (** [interface-one-strength] A friction of one strength at all times: the motions under a force, and only they. *)
 Theorem rubs_constant b U x v1 v2 F : 0 < b -> rubs (fun _ => b) U x v1 v2 F <-> forced m1 m2 a1 a2 b U x v1 v2 (fun t => F t / b).
 Proof.
   intros Hb. assert (Fs : forall f : R -> R, (forall t, b * (f t / b) = f t)) by (intros; field; lra).
-  assert (To : forall t l, rderiv F t l -> rderiv (fun t => F t / b) t (l / b)).
-  { intros t l D. apply rderiv_ext with (fun t => / b * F t); [intros; field; lra|].
-    apply rderiv_eq with (/ b * l); [field; lra|]. apply rderiv_scal; auto. }
+  assert (To : forall t l, rderiv F t l -> rderiv (fun t => F t / b) t (l / b)) by (intros; rate; field; lra).
   assert (Sum : forall t l, rderiv (fun r => m1 * v1 r + b * (F r / b) - U r) t l <-> rderiv (fun r => m1 * v1 r + F r - U r) t l).
   { split; apply rderiv_ext; intros u _; rewrite Fs; auto. }
   split.
@@ -52,13 +54,12 @@ Proof.
     + intros t Ht. rewrite !Fs. auto.
   - intros H. pose proof (moves_cs m1 m2 a1 a2 b 1 U x v1 v2 _ H) as Cs. destruct H as [L P N CU CX CV X V W].
     assert (Back : forall t l, rderiv (fun t => F t / b) t l -> rderiv F t (l * b)).
-    { intros t l D. apply rderiv_ext with (fun t => b * (F t / b)); [intros; field; lra|].
-      apply rderiv_eq with (b * l); [ring|]. apply rderiv_scal; auto. }
+    { intros t l D. apply rderiv_ext with (fun t => b * (F t / b)); [auto|]. rate; ring. }
     constructor; auto.
     + exists 1. split; [lra|]. intros h Hh. specialize (L t (t + h) ltac:(lra)).
       rewrite <- (Fs F (t + h)), <- (Fs F t), <- Rmult_minus_distr_l, Rabs_mult, Rabs_pos_eq by lra. nra.
     + intros t Ht k Hk G. apply Back. destruct Hk; subst k; [apply P|apply N]; lra.
-    + apply cont_ext with (fun t => b * (F t / b)); [auto|apply cont_scal; auto].
+    + apply cont_ext with (fun t => b * (F t / b)); [auto|continuous].
     + intros t Ht. apply Sum. auto.
     + intros t Ht. rewrite <- (Fs F t), <- (Fs F 0). auto.
 Qed.
@@ -80,7 +81,17 @@ Lemma rubs_cv2 : cont v2.
 Proof.
   apply cont_ext with (fun u => (v2 0 - / m2 * F 0) + / m2 * F u).
   { intros u Hu. pose proof (r_v2 _ _ _ _ _ _ H u Hu) as Q. apply Rmult_eq_reg_l with m2; [|lra]. field_simplify; lra. }
-  apply cont_plus; [apply cont_const|apply cont_scal, (r_cF _ _ _ _ _ _ H)].
+  continuous.
+Qed.
+(** of either sign *)
+Lemma rubs_cap c t : 0 <= t -> dini_le (fun u => c * F u) t (Rabs c * b t).
+Proof.
+  intros Ht e He. pose proof (Rabs_pos c). destruct (r_cap _ _ _ _ _ _ H t Ht (e / (Rabs c + 1))) as (d & Hd & K);
+    [positive|].
+  exists d. split; auto. intros h Hh. rewrite <- Rmult_minus_distr_l. eapply Rle_trans; [apply Rle_abs|].
+  rewrite Rabs_mult.
+  eapply Rle_trans; [apply Rmult_le_compat_l; [auto|apply (K h Hh)]|].
+  assert (Rabs c * (e / (Rabs c + 1)) <= e); [|nra]. unfold Rdiv. rewrite <- Rmult_assoc. undivide (Rabs c + 1). nra.
 Qed.
 Lemma rubs_power t : 0 <= t -> little (fun h => (F (t + h) - F t) * (v1 t - v2 t) - b t * Rabs (v1 t - v2 t) * h).
 Proof. intros Ht. apply friction_power, (r_slip _ _ _ _ _ _ H t Ht). Qed.
@@ -107,8 +118,7 @@ Let w' t := v1' t - v2' t.
 
 Lemma rubs_cD : cont D.
 Proof.
-  apply energy_cont; apply cont_minus; [apply (r_cx _ _ _ _ _ _ H)|apply (r_cx _ _ _ _ _ _ H')|apply (r_cv _ _ _ _ _ _ H)|
-    apply (r_cv _ _ _ _ _ _ H')|exact (rubs_cv2 _ _ _ _ _ _ H)|exact (rubs_cv2 _ _ _ _ _ _ H')].
+  pose proof (rubs_cv2 _ _ _ _ _ _ H). pose proof (rubs_cv2 _ _ _ _ _ _ H'). apply energy_cont; continuous.
 Qed.
 
 (** the increment of the distance, but for friction *)
@@ -132,24 +142,14 @@ Qed.
 Theorem interface_parts t du : 0 <= t -> rderiv (fun r => U r - U' r) t du -> dini_le D t
   (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2 - (b t - b' t) * (Rabs (w t) - Rabs (w' t))).
 Proof.
-  intros Ht HU e He. pose proof (Rabs_pos (w t)) as P. pose proof (Rabs_pos (w' t)) as P'.
-  set (q := e / (4 + Rabs (w t) + Rabs (w' t))). assert (Hq : 0 < q) by (unfold q; positive).
-  assert (Eq : q * (4 + Rabs (w t) + Rabs (w' t)) = e) by (unfold q; field; lra).
-  destruct (rubs_D_increment t du Ht HU q Hq) as (d1 & H1 & K1). destruct (rubs_power _ _ _ _ _ _ H t Ht q Hq) as (d2 & H2 & K2).
-  destruct (rubs_power _ _ _ _ _ _ H' t Ht q Hq) as (d3 & H3 & K3). destruct (r_cap _ _ _ _ _ _ H t Ht q Hq) as (d4 & H4 & K4).
-  destruct (r_cap _ _ _ _ _ _ H' t Ht q Hq) as (d5 & H5 & K5).
-  exists (Rmin d1 (Rmin (Rmin d2 d3) (Rmin d4 d5))). split; [positive|]. intros h Hh.
-  pose proof (Rmin_l d1 (Rmin (Rmin d2 d3) (Rmin d4 d5))). pose proof (Rmin_r d1 (Rmin (Rmin d2 d3) (Rmin d4 d5))).
-  pose proof (Rmin_l (Rmin d2 d3) (Rmin d4 d5)). pose proof (Rmin_r (Rmin d2 d3) (Rmin d4 d5)). pose proof (Rmin_l d2 d3).
-  pose proof (Rmin_r d2 d3). pose proof (Rmin_l d4 d5). pose proof (Rmin_r d4 d5).
-  specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). specialize (K3 h ltac:(lra)).
-  specialize (K4 h ltac:(lra)). specialize (K5 h ltac:(lra)). apply Rabs_inv in K1, K2, K3.
-  fold (w t) in K2. fold (w' t) in K3. set (f := F (t + h) - F t) in *. set (f' := F' (t + h) - F' t) in *.
-  assert (C1 : f * w' t <= (b t + q) * h * Rabs (w' t)).
-  { pose proof (Rle_abs (f * w' t)) as Q. rewrite Rabs_mult in Q. nra. }
-  assert (C2 : f' * w t <= (b' t + q) * h * Rabs (w t)).
-  { pose proof (Rle_abs (f' * w t)) as Q. rewrite Rabs_mult in Q. nra. }
-  rewrite <- Eq. nra.
+  intros Ht HU. assert (G : rderiv (fun u => D u - (w' t * F u + w t * F' u)) t
+    (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2 - b t * Rabs (w t) - b' t * Rabs (w' t))).
+  { eapply little_ext; [|exact (little_minus _ _ (little_minus _ _ (rubs_D_increment t du Ht HU)
+    (rubs_power _ _ _ _ _ _ H t Ht))
+      (rubs_power _ _ _ _ _ _ H' t Ht))]. intros h. unfold w, w'. ring. }
+  apply (dini_ext (fun u => (w' t * F u + w t * F' u) + (D u - (w' t * F u + w t * F' u)))); [intros; ring|].
+  eapply dini_eq; [|exact (dini_plus _ _ _ _ _ (dini_add _ _ _ _ _ (rubs_cap _ _ _ _ _ _ H (w' t) t Ht)
+    (rubs_cap _ _ _ _ _ _ H' (w t) t Ht)) G)]. ring.
 Qed.
 
 (** [interface-distance-rate] Where the frictions $f,\tilde f$ of two motions exist from the right,
@@ -171,10 +171,9 @@ Theorem interface_contraction b U x v1 v2 F x' v1' v2' F' r t : rubs b U x v1 v2
 Proof.
   intros H H' Hr. apply (dini_mono (fun t => energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t))); auto.
   { exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H'). }
-  intros u Hu e He. assert (Z : rderiv (fun r => U r - U r) u 0).
-  { apply rderiv_ext with (fun _ => 0); [intros; ring|apply rderiv_const]. }
-  destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) Z e He) as (d & Hd & K). exists d; split; auto.
-  intros h Hh. specialize (K h Hh). assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h) by positive. lra.
+  intros u Hu. eapply dini_weaken; [|exact (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u 0
+    ltac:(lra) (rderiv_same U u))].
+  assert (0 <= a1 * (v1 u - v1' u) ^ 2) by positive. lra.
 Qed.
 
 (** a product by two squares *)
@@ -212,12 +211,9 @@ Let N2_cont : cont N2.
 Proof. apply cont_scal. exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H'). Qed.
 Let N2_dini t k : 0 <= t -> - (b t - b' t) * (Rabs (w t) - Rabs (w' t)) <= k -> dini_le N2 t (2 * k).
 Proof.
-  intros Ht Hk e He. assert (Z : rderiv (fun r => U r - U r) t 0).
-  { apply rderiv_ext with (fun _ => 0); [intros; ring|apply rderiv_const]. }
-  destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' t 0 Ht Z (e / 2)) as (d & Hd & K); [lra|].
-  exists d; split; auto. intros h Hh. specialize (K h Hh). fold (w t) (w' t) in K.
-  assert (0 <= a1 * (v1 t - v1' t) ^ 2 * h) by positive.
-  assert (- (b t - b' t) * (Rabs (w t) - Rabs (w' t)) * h <= k * h) by nra. unfold N2. lra.
+  intros Ht Hk. refine (dini_weaken _ _ (2 * _) _ _ (dini_scal 2 _ _ _ Rlt_0_2
+    (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' t 0 Ht
+    (rderiv_same U t)))). fold (w t) (w' t). assert (0 <= a1 * (v1 t - v1' t) ^ 2) by positive. lra.
 Qed.
 Let apart t : Rabs (Rabs (w t) - Rabs (w' t)) <= Rabs (w t - w' t) := Rabs_triang_inv2 _ _.
 Let gap t : (w t - w' t) ^ 2 <= kap * (N2 t - a2 * (x t - x' t) ^ 2).
@@ -268,18 +264,14 @@ Theorem growth_by_state z z' t : cont z -> cont z' -> (forall t, 0 <= t -> rderi
 Proof.
   intros Cz Cz' Dz Dz' Ht K. set (ra := sqrt (kap / a2)). set (r := sqrt kap). assert (Sa : 0 <= ra) by apply sqrt_pos.
   apply (in_proportion (fun u => N2 u + (z u - z' u) ^ 2)); auto.
-  { apply cont_plus; auto. apply cont_ext with (fun u => (z u - z' u) * (z u - z' u)); [intros; ring|].
-    apply cont_mult; apply cont_minus; auto. }
-  intros u Hu e He. set (p := z u - z' u). set (q := w u - w' u). set (o := x u - x' u). pose proof (apart u) as Ap.
+  { continuous. }
+  intros u Hu. set (p := z u - z' u). set (q := w u - w' u). set (o := x u - x' u). pose proof (apart u) as Ap.
   fold q in Ap. pose proof (gap u) as G. fold q o in G. pose proof (pow2_ge_0 p).
   assert (Sum : 0 <= l * (Rabs o + Rabs p + Rabs q)) by positive.
   assert (Kb : Rabs (b u - b' u) <= l * (Rabs o + Rabs p + Rabs q)).
   { eapply Rle_trans; [apply K; auto|]. fold o p. apply Rmult_le_compat_l; auto. lra. }
-  destruct (N2_dini u _ Hu (by_slopes u _ Sum Kb) (e / 2)) as (d1 & E1 & K1); [lra|].
-  assert (Dp : rderiv (fun u => (z u - z' u) * (z u - z' u)) u (q * p + p * q)).
-  { apply (rderiv_mult (fun u => z u - z' u) (fun u => z u - z' u)); apply rderiv_minus; auto. }
-  destruct (Dp (e / 2)) as (d2 & E2 & K2); [lra|]. smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)).
-  specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. fold p q in K1, K2 |- *.
+  eassert (Dp : rderiv (fun u => (z u - z' u) ^ 2) u _) by rates. cbv beta in Dp. fold p q in Dp.
+  eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ (N2_dini u _ Hu (by_slopes u _ Sum Kb)) Dp)]. fold p q.
   assert (Kp : 0 <= kap * (a2 * o ^ 2)) by positive. assert (Gq : q ^ 2 <= kap * N2 u) by lra.
   pose proof (product_below p q 1 kap (N2 u) Rlt_0_1 kap_pos Gq) as Q. replace (kap / 1) with kap in Q by field.
   fold r in Q. pose proof (product_below o q a2 kap _ Ha2 kap_pos G) as Q'. rewrite <- (pow2_abs q) in Gq.
@@ -289,8 +281,7 @@ Proof.
   assert (Q2 : l * (Rabs p * Rabs q) <= l * (r * Y)) by (apply Rmult_le_compat_l; [auto|unfold Y; lra]).
   assert (Q3 : l * (Rabs q ^ 2) <= l * (kap * Y)) by (apply Rmult_le_compat_l; [auto|]; eapply Rle_trans; [exact Gq|];
     apply Rmult_le_compat_l; [lra|unfold Y; lra]). assert (Q4 : p * q <= r * Y) by (unfold Y; lra).
-  assert (Pq : 2 * (l * (Rabs o + Rabs p + Rabs q) * Rabs q) + (q * p + p * q) <= 2 * (l * ra + (l + 1) * r + l * kap) *
-    Y) by lra. assert (EY : Y = N2 u + p ^ 2) by reflexivity. apply Rmult_le_compat_r with (r := h) in Pq; lra.
+  lra.
 Qed.
 End Growth.
 
@@ -305,9 +296,9 @@ Theorem interface_input_to_state b U U' x v1 v2 F x' v1' v2' F' du J r t :
   sqrt (2 * energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r)) + (J t - J r) / sqrt m1.
 Proof.
   intros H H' HU CJ HJ Hr. apply (pushed_apart m1 m2 a2 Hm1 Hm2 Ha2 (fun t => x t - x' t) (fun t => v1 t - v1' t) (fun t
-    => v2 t - v2' t) du); auto; [exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H')|]. split; [apply HJ; lra|]. intros e He.
-  destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) (HU u ltac:(lra)) e He) as (d & Hd & K).
-  exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
+    => v2 t - v2' t) du); auto; [exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H')|].
+  split; [apply HJ; lra|]. eapply dini_weaken; [|exact (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u _
+    ltac:(lra) (HU u ltac:(lra)))].
   pose proof (pow2_ge_0 (v1 u - v1' u)). nra.
 Qed.
 
@@ -326,7 +317,7 @@ Lemma body1_lip r t : 0 <= r <= t -> Rabs (v1 t - v1 r) <= / m1 * (B + G + hi) *
 Proof.
   intros Hr. assert (LA : Rabs ((m1 * v1 t + F t - U t) - (m1 * v1 r + F r - U r)) <= B * (t - r)).
   { apply (lip_of_rderiv (fun u => m1 * v1 u + F u - U u) (fun u => - (a2 * x u + a1 * v1 u))); auto.
-    - apply cont_minus; [apply cont_plus; [apply cont_scal, (r_cv _ _ _ _ _ _ H)|apply (r_cF _ _ _ _ _ _ H)]|apply (r_cU _ _ _ _ _ _ H)].
+    - continuous.
     - intros u Hu. rewrite Rabs_Ropp. split; [apply (r_v1 _ _ _ _ _ _ H)|apply Bd]; auto. }
   pose proof (LU r t Hr) as L. pose proof (impulse_lip r t Hr) as LF.
   replace (v1 t - v1 r) with (/ m1 * ((m1 * v1 t + F t - U t) - (m1 * v1 r + F r - U r) - (F t - F r) + (U t - U r)))
@@ -369,7 +360,7 @@ Theorem interface_synchronises b x v1 v2 F z lo hi : rubs b (fun _ => 0) x v1 v2
   exists zl, forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (z t - zl) <= e.
 Proof.
   intros H Hlo Hb Cz Dz. set (w := fun t => v1 t - v2 t). set (E := fun t => energy (x t) (v1 t) (v2 t)).
-  assert (Cw : cont w) by (apply cont_minus; [apply (r_cv _ _ _ _ _ _ H)|exact (rubs_cv2 _ _ _ _ _ _ H)]).
+  pose proof (rubs_cv2 _ _ _ _ _ _ H). assert (Cw : cont w) by continuous.
   assert (CE : cont E) by exact (rubs_cE _ _ _ _ _ _ H). assert (CJ : cont (fun t => Rabs (w t))) by (apply cont_abs; auto).
   assert (Ep : forall t, 0 <= E t) by (intros t; apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2)).
   assert (Fall : forall t, 0 <= t -> dini_le E t (- lo * Rabs (w t))).
@@ -379,33 +370,27 @@ Proof.
   assert (Pay : forall r t, 0 <= r <= t -> lo * (J t - J r) <= E r - E t).
   { intros r t. apply (path_paid E lo (fun t => Rabs (w t))); auto. intros u Hu. rewrite Ropp_mult_distr_l. auto. }
   assert (Path : forall r t, 0 <= r <= t -> Rabs (z t - z r) <= J t - J r).
-  { assert (Up : forall k r t, k = 1 \/ k = -1 -> 0 <= r <= t -> k * z t - J t <= k * z r - J r).
-    { intros k r t Hk Hr. apply (rderiv_mono (fun t => k * z t - J t) r t (fun t => k * w t - Rabs (w t))); auto.
-      - apply cont_minus; [apply cont_scal; auto|apply integral_cont; auto].
-      - intros u Hu. split; [apply rderiv_minus; [apply rderiv_scal, Dz; lra|apply (integral_rderiv (fun t => Rabs (w t))); auto; lra]|].
-        pose proof (Rle_abs (w u)). pose proof (Rle_abs (- w u)) as Q. rewrite Rabs_Ropp in Q. destruct Hk; subst k; lra. }
-    intros r t Hr. pose proof (Up 1 r t ltac:(auto) Hr). pose proof (Up (-1) r t ltac:(auto) Hr). apply Rabs_le. lra. }
+  { intros r t Hr. apply both_signs. intros k Hk. cut (k * z t - J t <= k * z r - J r); [lra|].
+    apply (rderiv_mono (fun t => k * z t - J t) r t (fun t => k * w t - Rabs (w t))); [continuous|auto|].
+    intros u Hu. split; [rates|]. rewrite <- (Rabs_sign k) by auto. pose proof (Rle_abs (k * w u)). lra. }
   assert (J0 : forall r t, 0 <= r <= t -> J r <= J t) by (intros r t Hr; pose proof (Path r t Hr); pose proof (Rabs_pos (z t - z r)); lra).
   assert (Em : forall r t, 0 <= r <= t -> E t <= E r).
   { intros r t Hr. pose proof (Pay r t Hr). pose proof (J0 r t Hr). assert (0 <= lo * (J t - J r)) by (apply Rmult_le_pos; lra). lra. }
   split; [exact Fall|]. split.
-  - set (X := 2 * E 0 / a2 + 1). set (V := 2 * E 0 / m1 + 1). pose proof (Ep 0) as E0.
-    assert (X1 : 1 <= X) by (assert (0 <= 2 * E 0 / a2) by positive; unfold X; lra).
-    assert (V1 : 1 <= V) by (assert (0 <= 2 * E 0 / m1) by positive; unfold V; lra).
-    assert (Bd : forall t, 0 <= t -> - X <= x t <= X /\ - V <= v1 t <= V).
-    { intros t Ht. pose proof (Em 0 t ltac:(lra)) as Q. unfold E at 1 in Q. unfold energy, Pair.energy in Q.
-      split; apply sq_le_abs; try lra.
-      - assert (x t ^ 2 <= 2 * E 0 / a2) by (undivide a2; nra). unfold X in *. nra.
-      - assert (v1 t ^ 2 <= 2 * E 0 / m1) by (undivide m1; nra). unfold V in *. nra. }
-    pose proof (Hb 0 (Rle_refl 0)) as Hb0. set (K := / m1 * (a2 * X + a1 * V + 0 + hi) + / m2 * hi).
-    assert (HK : 0 < K) by (assert (0 < a2 * X) by (apply Rmult_lt_0_compat; lra); assert (0 <= a1 * V) by (apply Rmult_le_pos; lra);
-      unfold K; apply Rplus_lt_0_compat; apply Rmult_lt_0_compat; try (apply Rinv_0_lt_compat; auto); lra).
+  - set (X := sqrt (2 * E 0 / a2)). set (V := sqrt (2 * E 0 / m1)).
+    assert (Bd : forall t, 0 <= t -> Rabs (x t) <= X /\ Rabs (v1 t) <= V).
+    { intros t Ht. destruct (energy_parts m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ (Em 0 t ltac:(lra))) as (Qx & Qv & _).
+      split; apply root_bound; auto. }
+    set (K := / m1 * (a2 * X + a1 * V + 0 + hi) + / m2 * hi). pose proof (Hb 0 (Rle_refl 0)).
+    assert (0 <= X) by apply sqrt_pos. assert (0 <= V) by apply sqrt_pos. assert (0 <= a2 * X + a1 * V) by positive.
+    assert (HK : 0 < K) by (unfold K; positive).
     apply (paid_vanishes E lo ltac:(auto) Em Hlo (fun t => Rabs (w t)) J K); auto.
     + apply integral_cont; auto.
     + split; [apply Rabs_pos|apply (integral_rderiv (fun t => Rabs (w t))); auto].
     + intros r t Hr. eapply Rle_trans; [apply Rabs_triang_inv2|].
       apply (slip_lip b (fun _ => 0) x v1 v2 F (a2 * X + a1 * V) 0 hi H); auto.
-      * intros u Hu. destruct (Bd u Hu). split; [apply Rabs_le; split; nra|apply Hb; auto].
+      * intros u Hu. destruct (Bd u Hu) as (Bx & Bv). split; [|apply Hb; auto]. eapply Rle_trans; [apply Rabs_triang|].
+        apply Rplus_le_compat; apply abs_scal; auto; lra.
       * intros p q Hp. rewrite Rminus_0_r, Rabs_R0. lra.
   - destruct (paid_converges E lo ltac:(auto) Em Hlo z) as (zl & _ & Lim); [|exists zl; exact Lim].
     intros r t Hr. eapply Rle_trans; [|apply Pay; auto]. apply Rmult_le_compat_l; [lra|apply Path; auto].
@@ -416,8 +401,13 @@ Corollary solution_synchronises b x v1 v2 s : 0 < b -> solution m1 m2 a1 a2 b x 
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (v1 t - v2 t) <= e.
 Proof.
   intros Hb H. apply free_case, (forced_rubs b _ x v1 v2 s Hb) in H. rename H into R.
-  assert (C : cont (fun t => v1 t - v2 t)) by (apply cont_minus; [apply (r_cv _ _ _ _ _ _ R)|exact (rubs_cv2 _ _ _ _ _ _ R)]).
+  pose proof (rubs_cv2 _ _ _ _ _ _ R). assert (C : cont (fun t => v1 t - v2 t)) by continuous.
   apply (interface_synchronises _ x v1 v2 _ (integral (fun t => v1 t - v2 t)) b b R Hb); [intros; lra|apply integral_cont, C|].
   intros t Ht. exact (integral_rderiv (fun t => v1 t - v2 t) t C Ht).
 Qed.
 End Interface.
+
+(** behind the section, too *)
+Ltac rubs_fact := first [eapply r_cx; eassumption | eapply r_cv; eassumption | eapply r_cU; eassumption
+  | eapply r_cF; eassumption | eapply r_x; [eassumption|lra] | eapply r_v1; [eassumption|lra]].
+Ltac motion ::= first [rubs_fact | forced_fact].

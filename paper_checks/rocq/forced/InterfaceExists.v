@@ -1,6 +1,6 @@
 (** An interface of changing strength has one motion from every start: where the strength is a function of time that has
     a continuous integral, and where it depends with bounded slopes on the place, the displacement and the speed. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Interface.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced Interface.
 
 Section Exists.
 Variables m1 m2 a1 a2 x0 v10 v20 : R.
@@ -16,8 +16,7 @@ Lemma place_cont v : cont v -> cont (place v).
 Proof. intros. apply cont_plus; [apply cont_const|apply integral_cont; auto]. Qed.
 Lemma force_cont v : cont v -> cont (force v).
 Proof.
-  intros. repeat apply cont_minus; [apply cont_plus; [|apply cont_minus]; auto using cont_const| |];
-    apply cont_scal, integral_cont; auto. apply place_cont; auto.
+  intros C. pose proof (place_cont v C). unfold force. continuous.
 Qed.
 
 (** the strength by the velocity of body 1 (true) and the impulse of friction (false), and its integral *)
@@ -38,8 +37,7 @@ Let push_cont f : conts f -> cont (push f).
 Proof. intros C. apply force_cont; auto. Qed.
 Let aim_cont f : conts f -> cont (aim f).
 Proof.
-  intros C. apply cont_ext with (fun u => / k * (/ m1 * push f u - v20)); [intros; unfold aim; field; lra|].
-  apply cont_scal, cont_minus; [apply cont_scal, push_cont; auto|apply cont_const].
+  intros C. pose proof (push_cont f C). unfold aim. continuous.
 Qed.
 Let Bs_grows f : conts f -> forall r t, 0 <= r <= t -> Bs f r <= Bs f t.
 Proof.
@@ -51,8 +49,7 @@ Let rub_cont f : conts f -> cont (rub f).
 Proof. intros C. apply pursuit_cont; [apply Strong; auto|apply Bs_grows; auto]. Qed.
 Let next_cont f : conts f -> conts (next f).
 Proof.
-  intros C [|]; [|apply rub_cont; auto]. apply cont_ext with (fun u => / m1 * (push f u - rub f u)).
-  { intros; unfold next; field; lra. } apply cont_scal, cont_minus; auto.
+  intros C. pose proof (push_cont f C). pose proof (rub_cont f C). intros [|]; unfold next; continuous.
 Qed.
 
 Let C1 := (a2 + a1) / (m1 * k) + K.
@@ -82,11 +79,10 @@ Proof.
     assert (Near : forall u, 0 <= u <= t -> Rabs (aim f u - aim g u) <= Mt).
     { intros u Hu. replace (aim f u - aim g u) with (/ (m1 * k) * (push f u - push g u)) by (unfold aim; field; lra).
       apply abs_scal; [lra|]. eapply Rle_trans; [apply P; lra|]. apply Rmult_le_compat_l; [positive|].
-      destruct (Req_dec u t) as [->|]; [lra|]. apply Rlt_le, exp_increasing. apply Rmult_lt_compat_l; lra. }
-    assert (DA : forall u, rderiv A u (K * D * exp (lam * u))).
-    { intros u. apply rderiv_of_derive. unfold A. auto_derive; auto. rewrite <- Ee. ring. }
-    assert (CA : cont A) by (apply cont_of_derive with (fun u => K * D * exp (lam * u)); intros u; unfold A; auto_derive; auto;
-      rewrite <- Ee; ring).
+      apply exp_mono, Rmult_le_compat_l; lra. }
+    assert (DA : forall u, is_derive A u (K * D * exp (lam * u)))
+      by (intros u; unfold A; auto_derive; auto; rewrite <- Ee; ring).
+    assert (CA : cont A) by continuous.
     assert (AP : forall u, 0 <= A u) by (intros u; unfold A; pose proof (exp_pos (lam * u)); positive).
     assert (Mp : 0 <= Mt) by (unfold Mt; positive). replace (C1 * e * exp (lam * t)) with (Mt + A t)
       by (unfold C1, Mt, A; field; lra).
@@ -95,7 +91,8 @@ Proof.
     { clear f g Cf Cg N I1 I2 P Near. intros f g Cf Cg N Near. destruct (Strong f Cf) as (CB & DB), (Strong g Cg) as (CB' & DB').
       pose proof (pursuits_near (Bs f) (Bs g) (aim f) (aim g) (bs f) (bs g) A Mt t CB CB' (aim_cont f Cf) (aim_cont g Cg) CA
         (Bs_grows f Cf) (Bs_grows g Cg) AP Mp ltac:(lra)) as Q. assert (rub f t <= rub g t + Mt + A t); [|lra]. apply Q.
-      - intros u Hu. split; [apply DB; lra|]. split; [apply DB'; lra|]. exists (K * D * exp (lam * u)). split; [|apply DA].
+      - intros u Hu. split; [apply DB; lra|]. split; [apply DB'; lra|]. exists (K * D * exp (lam * u)).
+        split; [|apply rderiv_of_derive, DA].
         apply (Slopes lam D T); auto; lra.
       - intros u Hu. specialize (Near u Hu). apply Rabs_inv in Near. lra. }
     pose proof (Side f g Cf Cg N Near). pose proof (Side g f Cg Cf ltac:(intros i u Hu; rewrite Rabs_minus_sym; apply N; auto)
@@ -131,12 +128,10 @@ Proof.
     { unfold aim. rewrite <- E1. unfold k. field. repeat split; lra. }
     cbv beta in Sl. rewrite W in Sl. apply Rmult_lt_reg_l with k; auto. rewrite Rmult_0_r. lra.
   - apply place_cont; auto.
-  - intros t Ht. apply rderiv_eq with (0 + f true t); [ring|].
-    apply rderiv_plus; [apply rderiv_const|apply integral_rderiv; auto].
+  - intros t Ht. pose proof (C true). unfold place. rate. ring.
   - intros t Ht. apply rderiv_ext with (fun u => (m1 * v10 - U 0) - a2 * integral (place (f true)) u - a1 * integral (f true) u).
     { intros u Hu. rewrite (proj1 (E u ltac:(lra))). unfold push, force. ring. }
-    apply rderiv_eq with (0 - a2 * place (f true) t - a1 * f true t); [ring|].
-    repeat apply rderiv_minus; [apply rderiv_const| |]; apply rderiv_scal, integral_rderiv; auto using place_cont.
+    pose proof (C true). pose proof (place_cont _ (C true)). rate. ring.
   - intros t Ht. rewrite F0. field. lra.
   - pose proof (proj1 (E 0 (Rle_refl 0))) as Q. rewrite F0 in Q. unfold push, force in Q. rewrite !integral_0 in Q.
     apply Rmult_eq_reg_l with m1; lra.
@@ -181,7 +176,7 @@ Proof.
   set (X := fun f : bool -> R -> R => place x0 (f true)). set (w := fun (f : bool -> R -> R) t => f true t - (v20 + / m2 * f false t)).
   set (Z := fun f t => z0 + integral (w f) t). set (bs := fun f t => be (X f t) (Z f t) (Rabs (w f t))).
   assert (Cw : forall f, conts f -> cont (w f)).
-  { intros f C. apply cont_minus; auto. apply cont_plus; [apply cont_const|apply cont_scal; auto]. }
+  { intros f C. pose proof (C true). pose proof (C false). unfold w. continuous. }
   assert (CX : forall f, conts f -> cont (X f)) by (intros f C; apply place_cont; auto).
   assert (CZ : forall f, conts f -> cont (Z f)) by (intros f C; apply cont_plus; [apply cont_const|apply integral_cont; auto]).
   assert (Cb : forall f, conts f -> cont (bs f)).
@@ -214,7 +209,7 @@ Proof.
   exists (X f), (f true), (fun t => v20 + / m2 * f false t), (Z f), (f false).
   assert (X0 : X f 0 = x0) by (unfold X, place; rewrite integral_0; ring). assert (Z00 : Z f 0 = z0) by (unfold Z; rewrite integral_0; ring).
   assert (DZ : forall t, 0 <= t -> rderiv (Z f) t (w f t)).
-  { intros t Ht. apply rderiv_eq with (0 + w f t); [ring|]. apply rderiv_plus; [apply rderiv_const|apply integral_rderiv; auto]. }
+  { intros t Ht. pose proof (Cw f C). unfold Z. rate. ring. }
   split; [split; [split; [auto|split; [exact DZ|exact H]]|rewrite F0; repeat split; auto; ring]|].
   intros x' v1' v2' z' F' (Cz' & Dz' & H') X' V' W' Z' t Ht.
   pose proof (growth_by_state m1 m2 a1 a2 Hm1 Hm2 Ha1 Ha2 _ _ _ _ _ _ _ _ _ _ _ H' H l Hl z' (Z f) t Cz' (CZ f C) Dz' DZ Ht

@@ -3,7 +3,7 @@
     theta/sin theta, theta = om1 tau <= pi/2. The force is F until tau: body 1 runs ahead with the speed beta tau
     g(t)/g(tau), and is met at tau. From then on the force may be -F, and body 1 falls behind; or, where F allows it,
     the pair sticks at the limit, and both bodies come to rest. *)
-From InertialPair Require Import Dini Pair Pursuit Forced Arcs Nonstop NonstopUndamped LeastTimeTransfer.
+From InertialPair Require Import Forced Arcs Nonstop NonstopUndamped LeastTimeTransfer.
 
 Lemma rises f f' p q : p <= q -> (forall t, is_derive f t (f' t)) -> (forall t, p <= t <= q -> 0 <= f' t) -> f p <= f q.
 Proof.
@@ -11,6 +11,12 @@ Proof.
   destruct (MVT_cor2 f f' p q) as (c & E & Hc); [lra|intros c Hc; apply is_derive_Reals, D|].
   specialize (P c ltac:(lra)). assert (0 <= f' c * (q - p)) by positive. lra.
 Qed.
+
+(** a derivative, by those that are known *)
+Ltac derive := auto_derive; [repeat split; first [match goal with
+      D : forall t, is_derive ?f t _ |- ex_derive (fun x => ?f x) _ => eexists; apply D end | auto; lra]
+  |repeat match goal with D : forall t, is_derive ?f t _ |- context [Derive (fun x => ?f x) ?t] =>
+     rewrite (is_derive_unique (fun x : R => f x) _ _ (D t)) end].
 
 Section Arrival.
 Context (m1 m2 a1 a2 b D : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HD : 0 < D).
@@ -38,20 +44,10 @@ Let Fm := b + A.
 
 (** the place reached grows at the response *)
 Lemma derive_k t : is_derive k t (g t).
-Proof.
-  unfold k. auto_derive; [split; [exists (- (a2 * g t + a1 * g' t) / m1); apply Dg'|split; [exists (g' t);
-    apply Dg|auto]]|].
-  rewrite (is_derive_unique (fun x : R => g' x) _ _ (Dg' t)), (is_derive_unique (fun x : R => g x) _ _ (Dg t)). field.
-    lra.
-Qed.
+Proof. unfold k. derive. field. lra. Qed.
 (** what is left of a displacement falls at the response *)
 Lemma derive_c t : is_derive c t (- a2 * g t).
-Proof.
-  unfold c. auto_derive; [split; [exists (- (a2 * g t + a1 * g' t) / m1); apply Dg'|split; [exists (g' t);
-    apply Dg|auto]]|].
-  rewrite (is_derive_unique (fun x : R => g' x) _ _ (Dg' t)), (is_derive_unique (fun x : R => g x) _ _ (Dg t)). field.
-    lra.
-Qed.
+Proof. unfold c. derive. field. lra. Qed.
 
 Lemma signs : 0 < tau /\ 0 < be /\ 0 < A.
 Proof.
@@ -66,8 +62,7 @@ Lemma g'_falls p q : 0 <= p <= q -> q <= tau -> g' q <= g' p.
 Proof.
   intros Hp Hq. cut (- g' p <= - g' q); [lra|].
   apply (rises (fun t => - g' t) (fun t => (a2 * g t + a1 * g' t) / m1)); [lra| |].
-  - intros t. auto_derive; [exists (- (a2 * g t + a1 * g' t) / m1); apply Dg'|].
-    rewrite (is_derive_unique (fun x : R => g' x) _ _ (Dg' t)). field; lra.
+  - intros t. derive. field. lra.
   - intros t Ht. pose proof (g_pos t ltac:(lra)). pose proof (Gp t ltac:(fold tau; lra)).
     apply Rmult_le_pos; [|positive]. assert (0 <= a2 * g t) by positive. assert (0 <= a1 * g' t) by positive. lra.
 Qed.
@@ -112,34 +107,26 @@ Lemma halves F U2 u2 X' V' : Fm <= F -> U2 0 = 0 -> (forall r t, 0 <= r <= t -> 
 Proof.
   intros HF U20 LU2 DU2 A2 EX EV. destruct signs as (Tp & Bp & Ap). pose proof A_above as Ab.
     assert (F0 : 0 < Fm) by positive.
-  set (U := fun t => Fm * Rmin t tau + U2 (Rmax (t - tau) 0)).
+  set (U := join tau (fun t => Fm * t) (fun t => Fm * tau + U2 t)).
+  assert (J : Fm * tau = Fm * tau + U2 0) by (rewrite U20; ring).
   assert (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= F * (t - r)).
-  { intros r t Hr. unfold U. pose proof (LU2 (Rmax (r - tau) 0) (Rmax (t - tau) 0)
-      ltac:(split; [apply Rmax_r|apply Rle_max_compat_r; lra])) as Q. apply Rabs_inv in Q.
-    assert (Sp : t - r = (Rmin t tau - Rmin r tau) + (Rmax (t - tau) 0 - Rmax (r - tau) 0))
-      by (unfold Rmin, Rmax; repeat destruct Rle_dec; lra).
-    assert (Mn : 0 <= Rmin t tau - Rmin r tau) by (unfold Rmin; repeat destruct Rle_dec; lra).
-    assert (0 <= Fm * (Rmin t tau - Rmin r tau)) by positive.
-    assert (Fm * (Rmin t tau - Rmin r tau) <= F * (Rmin t tau - Rmin r tau)) by scale.
-    rewrite Sp. apply Rabs_le. lra. }
-  assert (CU : cont U) by (apply (lip_cont U F); [lra|auto]). assert (D1 : forall t, 0 <= t < tau -> rderiv U t Fm).
-  { intros t Ht. apply rderiv_near with (fun t => Fm * t + U2 0) (tau - t); [lra| |].
-    - intros r Hr. unfold U. rewrite Rmin_left, Rmax_right by lra. auto.
-    - apply rderiv_of_derive. auto_derive; auto. ring. }
+  { intros r t. apply lip_join; auto; [lra| |]; intros p q Hp.
+    - intros _. apply Rabs_le. split; nra.
+    - replace (Fm * tau + U2 q - (Fm * tau + U2 p)) with (U2 q - U2 p) by ring. auto. }
+  assert (CU : cont U) by (apply (lip_cont U F); [lra|auto]).
+  assert (D1 : forall t, 0 <= t < tau -> rderiv U t Fm) by (intros; apply rderiv_join_before; [auto|lra|rate; ring]).
   assert (D2 : forall t, tau <= t < tau + tau -> rderiv U t (u2 (t - tau))).
-  { intros t Ht. apply rderiv_ext with (fun r => Fm * tau + U2 (r - tau)).
-    - intros r Hr. unfold U. rewrite Rmin_right, Rmax_left by lra. auto.
-    - eapply rderiv_eq; [|apply rderiv_plus; [apply rderiv_const|apply rderiv_later, DU2; lra]]. ring. }
-  assert (A1 : forced_arc m1 m2 a1 a2 b tau (fun _ => Fm) (fun t => A * k t) (fun t => A * g t) (fun t => be * t) (fun
-    _ => 1)).
-  { constructor.
+  { intros t Ht. apply rderiv_join_after; [lra|]. pose proof (DU2 (t - tau) ltac:(lra)). rate. ring. }
+  assert (A1 : forced_arc m1 m2 a1 a2 b tau (fun _ => Fm) (fun t => A * k t) (fun t => A * g t) (fun t => be * t)
+    (fun _ => 1)).
+  { apply slip_arc; auto.
     - intros t. apply (is_derive_scal k t A (g t)), derive_k.
-    - intros t. replace ((Fm - a2 * (A * k t) - a1 * (A * g t) - b * 1) / m1) with (A * g' t) by (unfold Fm, k; field;
-      lra). apply (is_derive_scal g t A (g' t)), Dg.
+    - intros t. replace ((Fm - a2 * (A * k t) - a1 * (A * g t) - b * 1) / m1) with (A * g' t)
+      by (unfold Fm, k; field; lra).
+      apply (is_derive_scal g t A (g' t)), Dg.
     - intros t. auto_derive; auto. unfold be. field; lra.
-    - intros t Ht. split; [lra|]. split; [auto|]. intros W. exfalso. pose proof (g_chord t ltac:(lra)) as C.
-      fold tau in Gt. assert (be * t <= A * g t); [|lra]. apply Rmult_le_reg_r with (g tau); auto.
-        replace (A * g t * g tau) with (be * (tau * g t))
+    - intros t Ht. pose proof (g_chord t ltac:(lra)). fold tau in Gt. cut (be * t <= A * g t); [lra|].
+      apply Rmult_le_reg_r with (g tau); auto. replace (A * g t * g tau) with (be * (tau * g t))
         by (rewrite <- Rmult_assoc, <- A_meet; ring). rewrite Rmult_assoc. scale. }
   destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U (fun _ => Fm) _ _ _ _ tau ltac:(lra) CU D1 A1) as (x & v1 &
     v2 & s & H & E).
@@ -154,20 +141,15 @@ Proof.
     ring|].
   split; [apply integral_0|]. destruct (E2 tau ltac:(lra)) as (V2T & W2T). replace (2 * tau) with (tau + tau) by ring.
   split; [|split; [rewrite W2T; ring|auto]]. pose proof (tau_sq m2 b D Hm2 Hb HD) as T2. fold tau be in T2.
-  assert (K1 : integral v2 tau - be * tau ^ 2 / 2 = integral v2 0 - be * 0 ^ 2 / 2).
-  { apply (rderiv_0 (fun t => integral v2 t - be * t ^ 2 / 2) 0 tau); [|lra|].
-    - apply cont_minus; [apply integral_cont; auto|]. apply cont_of_derive with (fun t => be * t). intros t.
-      auto_derive; auto. field.
-    - intros t Ht. apply rderiv_eq with (v2 t - be * t); [destruct (E t ltac:(lra)) as (_ & _ & ->); ring|].
-      apply rderiv_minus; [apply integral_rderiv; auto; lra|apply rderiv_of_derive]. auto_derive; auto. field. }
-  assert (K2 : integral v2 (tau + tau) + be * (2 * tau - (tau + tau)) ^ 2 / 2 = integral v2 tau + be * (2 * tau - tau)
-    ^ 2 / 2).
-  { apply (rderiv_0 (fun t => integral v2 t + be * (2 * tau - t) ^ 2 / 2) tau (tau + tau)); [|lra|].
-    - apply cont_plus; [apply integral_cont; auto|]. apply cont_of_derive with (fun t => - be * (2 * tau - t)).
-      intros t. auto_derive; auto. field.
-    - intros t Ht. apply rderiv_eq with (v2 t + - be * (2 * tau - t)).
-      + destruct (E2 (t - tau) ltac:(lra)) as (_ & Q). replace (tau + (t - tau)) with t in Q by ring. rewrite Q. ring.
-      + apply rderiv_plus; [apply integral_rderiv; auto; lra|apply rderiv_of_derive]. auto_derive; auto. field. }
+  pose proof (same_gain (integral v2) v2 (fun t => be * t ^ 2 / 2) (fun t => be * t) 0 tau ltac:(continuous) ltac:(lra)
+    ltac:(intros; auto_derive; auto; field) ltac:(intros t Ht; split;
+      [apply integral_rderiv; auto; lra|apply E; lra])) as K1.
+  pose proof (same_gain (integral v2) v2 (fun t => - (be * (2 * tau - t) ^ 2 / 2)) (fun t => be * (2 * tau - t)) tau
+    (tau + tau)
+    ltac:(continuous) ltac:(lra) ltac:(intros; auto_derive; auto; unfold Rminus; field) ltac:(intros t Ht; split;
+      [apply integral_rderiv; auto; lra|destruct (E2 (t - tau) ltac:(lra)) as (_ & Q); replace (tau + (t - tau))
+        with t in Q by ring;
+       rewrite Q; ring])) as K2. cbv beta in K1, K2.
   rewrite integral_0 in K1. rewrite <- T2. nra.
 Qed.
 
@@ -182,23 +164,11 @@ Proof.
   - intros r t Hr. replace (- Fm * t - - Fm * r) with (- (Fm * (t - r))) by ring.
     rewrite Rabs_Ropp, Rabs_pos_eq by positive. scale.
   - intros t Ht. apply rderiv_of_derive. auto_derive; auto. ring.
-  - constructor.
-    + intros t. unfold X', V'. apply (is_derive_minus (fun t => A * k tau * c t + m1 * (be * tau) * g t) (fun t => A *
-      k t)).
-      * apply (is_derive_plus (fun t => A * k tau * c t) (fun t => m1 * (be * tau) * g t)); apply is_derive_scal;
-        [apply derive_c|apply Dg].
-      * apply is_derive_scal, derive_k.
-    + intros t. replace ((- Fm - a2 * X' t - a1 * V' t - b * -1) / m1)
-        with (A * k tau * (- a2 * g' t) + m1 * (be * tau) * (- (a2 * g t + a1 * g' t) / m1) - A * g' t)
-        by (unfold X', V', Fm, c, k; field; lra).
-      unfold V'. apply (is_derive_minus (fun t => A * k tau * (- a2 * g t) + m1 * (be * tau) * g' t) (fun t => A * g
-        t)).
-      * apply (is_derive_plus (fun t => A * k tau * (- a2 * g t)) (fun t => m1 * (be * tau) * g' t)).
-        -- apply (is_derive_scal (fun t => - a2 * g t)), is_derive_scal, Dg.
-        -- apply is_derive_scal, Dg'.
-      * apply is_derive_scal, Dg.
+  - apply slip_arc; auto.
+    + intros t. unfold X', V', c, k. derive. field. lra.
+    + intros t. unfold X', V', Fm, c, k. derive. field. lra.
     + intros t. auto_derive; auto. unfold be. field; lra.
-    + intros t Ht. split; [lra|]. split; [|auto]. intros W. exfalso. pose proof (g_chord t ltac:(lra)) as C.
+    + intros t Ht. pose proof (g_chord t ltac:(lra)) as C.
       pose proof (c_below t ltac:(lra)) as Cb. pose proof (g_pos t ltac:(lra)) as Gn.
       pose proof (g'_falls 0 tau ltac:(lra) ltac:(lra)) as Gf. rewrite G0' in Gf.
       assert (M1 : m1 * g' tau <= 1) by (replace 1 with (m1 * / m1) by (field; lra); apply Rmult_le_compat_l; lra).
@@ -257,11 +227,11 @@ Proof.
     intros q Hq. split; [apply rderiv_of_derive, DI|]. apply B2. pose proof (Rmin_r t tau). lra.
   - intros t Ht. apply rderiv_near with I (tau - t); [lra|intros r Hr; rewrite Rmin_left; auto;
     lra|apply rderiv_of_derive, DI].
-  - constructor.
+  - apply slip_arc; auto.
     + intros t. unfold X', V'. auto_derive; auto. field.
     + intros t. unfold V' at 1. auto_derive; auto. unfold u2. rewrite Eb. field; lra.
     + intros t. auto_derive; auto. unfold be. field; lra.
-    + intros t Ht. unfold V'. split; [lra|]. split; intros; lra.
+    + intros t Ht. unfold V'. lra.
   - unfold X'. fold xt. field.
   - unfold V'. ring.
 Qed.

@@ -1,20 +1,25 @@
 (** The fastest transfer of body 2 over D, from rest to rest in 2 tau, tau = sqrt (m2 D/b): which amplitude of the
     force it needs, stuck, and if the bodies may slip (a1 = 0). *)
-From InertialPair Require Import Dini Pair Forced.
+From InertialPair Require Import Forced.
 
-Lemma dini_eq f t k l : k = l -> dini_le f t k -> dini_le f t l.
-Proof. intros ->; auto. Qed.
-
-(** a Lipschitz function times one that is not negative *)
-Lemma dini_lip_mult U G t F l d : 0 <= t -> 0 < d -> (forall p q, 0 <= p <= q -> Rabs (U q - U p) <= F * (q - p)) ->
-  (forall u, t <= u < t + d -> 0 <= G u) -> rderiv G t l -> dini_le (fun u => U u * G u) t (F * G t + U t * l).
+(** A mass m beside a constant pull c, under a force of at most F, is tested with a solution G of its equation that runs
+    backwards, and is not negative, and its integral K: what that gains *)
+Lemma tested m a1 a2 c j F U y w G K r t : 0 < m -> j = 1 \/ j = -1 -> 0 <= r <= t -> cont U -> cont y -> cont w ->
+  (forall p q, 0 <= p <= q -> Rabs (U q - U p) <= F * (q - p)) ->
+  (forall q, r <= q < t -> rderiv y q (w q) /\ rderiv (fun q => m * w q - U q) q (- (a2 * y q + a1 * w q) - c)) ->
+  (forall q, is_derive K q (- G q)) -> (forall q, is_derive G q ((a2 * K q + a1 * G q) / m)) ->
+  (forall q, r <= q <= t -> 0 <= G q) ->
+  j * (m * w t * G t - a2 * (y t * K t) - (m * w r * G r - a2 * (y r * K r))) <= (F - j * c) * (K r - K t).
 Proof.
-  intros Ht Hd L P D e He.
-  pose proof (little_plus _ _ (little_scal F _ (big_mult _ _ big_id (rderiv_big _ _ _ D))) (little_scal (U t) _ D)) as
-    Li.
-  destruct (Li e He) as (d' & Hd' & K). smaller d d'. intros h Hh. specialize (K h ltac:(lra)). apply Rabs_inv in K.
-  pose proof (L t (t + h) ltac:(lra)) as B. apply Rabs_inv in B. pose proof (P (t + h) ltac:(lra)) as Ph.
-  assert ((U (t + h) - U t) * G (t + h) <= F * (t + h - t) * G (t + h)) by scale. lra.
+  intros Hm Hj Hr CU Cy Cw L D DK DG P.
+  set (f q := j * U q * G q + (j * ((m * w q - U q) * G q - a2 * (y q * K q)) + (F - j * c) * K q)).
+  cut (f t <= f r); [unfold f; lra|]. apply dini_mono; [unfold f; continuous|auto|]. intros q Hq.
+  destruct (D q Hq) as (Dy & Dw).
+  pose proof (dini_lip_mult (fun q => j * U q) G q F _ (t - q) ltac:(lra) ltac:(lra) ltac:(intros p q' Hp; cbv beta;
+    rewrite <- Rmult_minus_distr_l, Rabs_sign by auto; auto) ltac:(intros; apply P; lra)
+      (rderiv_of_derive _ _ _ (DG q))) as Du.
+  eassert (Dr : rderiv (fun q => j * ((m * w q - U q) * G q - a2 * (y q * K q)) + (F - j * c) * K q) q _) by rates.
+  eapply dini_eq; [|exact (dini_plus _ _ _ _ _ Du Dr)]. cbv beta. field. lra.
 Qed.
 
 Section Transfer.
@@ -147,44 +152,27 @@ Proof.
   assert (Ahead : be * tau <= v1 tau).
   { rewrite <- (Full tau) by lra. cut (v2 tau - v1 tau <= 0); [lra|].
     apply (cont_le (fun t => v2 t - v1 t) 0 0 tau); [|lra|].
-    { apply cont_minus; [exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)|apply (f_cv _ _ _ _ _ _ _ _ _ _ H)]. }
+    { continuous. }
     intros t Ht. apply Rnot_lt_le. intros N. assert (S1 : rderiv s t 1).
     { apply rderiv_near with (fun u => s 0 + u) (tau - t); [lra|intros; symmetry; apply Es; lra|].
       apply rderiv_of_derive. auto_derive; auto. }
     pose proof (rderiv_unique _ _ _ _ S1 (f_neg _ _ _ _ _ _ _ _ _ _ H t ltac:(lra) ltac:(lra))). lra. }
-  set (G := fun t => g' (tau - t)). set (K := fun t => g (tau - t)). assert (DK : forall t, is_derive K t (- G t)).
-  { intros t. unfold K, G. replace (- g' (tau - t)) with (scal (-1) (g' (tau - t))) by (unfold scal; simpl;
-    unfold mult; simpl; ring). apply (is_derive_comp g (fun t => tau - t)); auto. auto_derive; auto; ring. }
-  assert (DG : forall t, is_derive G t ((a2 * K t + a1 * G t) / m1)).
-  { intros t. unfold K, G. replace ((a2 * g (tau - t) + a1 * g' (tau - t)) / m1)
-      with (scal (-1) (- (a2 * g (tau - t) + a1 * g' (tau - t)) / m1)) by (unfold scal; simpl; unfold mult; simpl;
-        field; lra).
-    apply (is_derive_comp g' (fun t => tau - t)); auto. auto_derive; auto; ring. }
-  set (Pm := fun t => m1 * v1 t + b * s t - U t).
-  set (f := fun t => U t * G t + ((Pm t - b * (s 0 + t)) * G t - a2 * (x t * K t) - (F - b) * (K 0 - K t))).
-  assert (CG : cont G) by exact (cont_of_derive _ _ DG). assert (CK : cont K) by exact (cont_of_derive _ _ DK).
-  assert (Cid : cont (fun t => t)) by (apply cont_of_derive with (fun _ => 1); intros; auto_derive; auto).
-  assert (Cf : cont f).
-  { pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
-    pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H). pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H). unfold f, Pm.
-      repeat first [apply cont_minus|apply cont_plus|apply cont_mult]; auto using cont_const, cont_scal. }
-  assert (Le : f tau <= f 0).
-  { apply dini_mono; auto; [lra|]. intros t Ht.
-    assert (Dr : rderiv (fun t => (Pm t - b * (s 0 + t)) * G t - a2 * (x t * K t) - (F - b) * (K 0 - K t)) t
-      ((- (a2 * x t + a1 * v1 t) - b * 1) * G t + (Pm t - b * (s 0 + t)) * ((a2 * K t + a1 * G t) / m1)
-        - a2 * (v1 t * K t + x t * - G t) - (F - b) * (0 - - G t))).
-    { apply rderiv_minus; [apply rderiv_minus|].
-      - apply (rderiv_mult (fun t => Pm t - b * (s 0 + t))); [apply rderiv_minus|apply rderiv_of_derive, DG].
-        + apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); lra.
-        + apply rderiv_scal, rderiv_of_derive. auto_derive; auto.
-      - apply rderiv_scal, rderiv_mult; [apply (f_x _ _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_of_derive, DK].
-      - apply rderiv_scal, rderiv_minus; [apply rderiv_const|apply rderiv_of_derive, DK]. }
-    pose proof (dini_lip_mult U G t F _ (tau - t) ltac:(lra) ltac:(lra) LU ltac:(intros u Hu; unfold G; apply Gp; lra)
-      (rderiv_of_derive _ _ _ (DG t))) as Du.
-    pose proof (dini_plus _ _ _ _ _ Du Dr) as Q. unfold f. eapply dini_eq; [|exact Q].
-    unfold Pm. rewrite (Es t) by lra. field; lra. }
-  assert (F0 : f 0 = 0) by (unfold f, Pm; rewrite X0, V0; ring). assert (FT : f tau = v1 tau - (F - b) * g tau).
-  { unfold f, Pm, G, K. rewrite (Es tau) by lra. rewrite Rminus_diag_eq, Rminus_0_r, G0, G0' by auto. field; lra. }
-  assert (be * tau <= (F - b) * g tau) by lra. cut (be * tau / g tau <= F - b); [lra|]. undivide (g tau). auto.
+  pose proof (tested m1 a1 a2 b 1 F U x v1 (fun t => g' (tau - t)) (fun t => g (tau - t)) 0 tau Hm1 ltac:(auto)
+    ltac:(lra)
+    ltac:(continuous) ltac:(continuous) ltac:(continuous) LU) as Q. cbv beta in Q.
+  replace (tau - tau) with 0 in Q by ring. replace (tau - 0) with tau in Q by ring. rewrite X0, V0, G0, G0' in Q.
+  assert (be * tau <= (F - b) * g tau).
+  { apply Rle_trans with (1 := Ahead). replace (v1 tau) with (m1 * v1 tau * / m1) by (field; lra).
+    assert (1 * (m1 * v1 tau * / m1 - a2 * (x tau * 0) - (m1 * 0 * g' tau - a2 * (0 * g tau))) <= (F - 1 * b) *
+      (g tau - 0)); [apply Q|lra].
+    - intros t Ht. split; [rates|].
+      apply rderiv_near with (fun u => m1 * v1 u + b * s u - U u - b * (s 0 + u)) (tau - t); [lra| |rate; ring].
+      intros u Hu. rewrite (Es u) by lra. ring.
+    - intros t. auto_derive; [eexists; apply Dg|]. rewrite (is_derive_unique (fun x => g x) _ _ (Dg _)).
+      unfold Rminus. ring.
+    - intros t. auto_derive; [eexists; apply Dg'|]. rewrite (is_derive_unique (fun x => g' x) _ _ (Dg' _)).
+      unfold Rminus. field. lra.
+    - intros t Ht. apply Gp. lra. }
+  cut (be * tau / g tau <= F - b); [lra|]. undivide (g tau). auto.
 Qed.
 End Transfer.

@@ -44,7 +44,7 @@ Proof.
 Qed.
 
 Lemma cont_w : cont w.
-Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
+Proof. continuous. Qed.
 
 (** *** Beside the motion with the constant acceleration k b/m2, in which both modes agree *)
 (** what the force asks beyond b: at an edge its first derivative that is not 0 decides *)
@@ -65,33 +65,19 @@ Proof. unfold excess, lead, place, beyond, load, M. field. lra. Qed.
 Lemma lead_split k t : lead k t = k * w t + ahead2 k t.
 Proof. unfold lead, w, ahead2. rewrite Meet. ring. Qed.
 Lemma place_rate k t : 0 <= t -> rderiv (place k) t (lead k t).
-Proof.
-  intros Ht. apply rderiv_minus; [apply rderiv_scal, (f_x _ _ _ _ _ _ _ _ _ _ H); lra|].
-  apply rderiv_of_derive. auto_derive; auto. field; lra.
-Qed.
+Proof. intros Ht. unfold place. rate. unfold lead. field. lra. Qed.
 Lemma cont_place k : cont (place k).
-Proof.
-  apply cont_minus; [apply cont_scal, (f_cx _ _ _ _ _ _ _ _ _ _ H)|].
-  apply cont_of_derive with (fun t => k * v1 t0 + b / m2 * (t - t0)). intros t. auto_derive; auto. field; lra.
-Qed.
+Proof. unfold place. continuous. Qed.
 (** the momentum has the rate of the excess in every mode, and is 0 at the contact *)
 Lemma gain_rate k t : 0 <= t -> rderiv U t (u t) -> rderiv (gain k) t (excess k t).
 Proof.
   intros Ht HU. apply rderiv_ext with (fun r => k * ((m1 * v1 r + b * s r - U r) + U r + (m2 * v2 0 - b * s 0))
     - (M * (k * v2 t0) + M * (b / m2) * (r - t0))).
   - intros r Hr. rewrite <- (f_v2 _ _ _ _ _ _ _ _ _ _ H r) by lra. unfold gain, w, ahead2, M. ring.
-  - eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_scal, rderiv_plus; [apply rderiv_plus;
-      [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); auto|exact HU]|apply rderiv_const]|
-      apply rderiv_of_derive; auto_derive; auto; reflexivity]].
-    unfold excess, beyond, place, lead, M. field. lra.
+  - rate. unfold excess, beyond, place, lead, M. field. lra.
 Qed.
 Lemma cont_gain k : cont (gain k).
-Proof.
-  assert (C2 : cont v2) by exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H).
-  apply cont_plus; apply cont_scal; [apply cont_scal, cont_w|].
-  apply cont_minus; [apply cont_scal, cont_minus; auto using cont_const|].
-  apply cont_of_derive with (fun _ => b / m2). intros; auto_derive; auto; ring.
-Qed.
+Proof. unfold gain, ahead2. continuous. Qed.
 Lemma gain_0 k : gain k t0 = 0.
 Proof. unfold gain, w, ahead2. rewrite Meet. ring. Qed.
 (** body 2 was ahead and falls behind, as friction gives it at most the acceleration b/m2 *)
@@ -182,14 +168,11 @@ Proof.
 Qed.
 Lemma asked_rate g k t : k = 1 \/ k = -1 -> t0 <= t < t0 + d0 -> rderiv (asked g k) t (g * beyond k t).
 Proof.
-  intros Hk Ht. eapply rderiv_eq; [|apply rderiv_scal, rderiv_scal, rderiv_minus; [apply rderiv_minus;
-    [apply DU; auto|apply rderiv_of_derive; unfold Ut, xt, vt; auto_derive; auto; reflexivity]|apply rderiv_const]].
-  unfold beyond. destruct Hk; subst k; field; lra.
+  intros Hk Ht. unfold asked, Ut, xt, vt. rate. unfold beyond. destruct Hk; subst k; field; lra.
 Qed.
 Lemma cont_asked g k : k = 1 \/ k = -1 -> cont (asked g k).
 Proof.
-  intros Hk. apply cont_scal, cont_scal, cont_minus; [|apply cont_const].
-  apply cont_minus; [apply (f_cU _ _ _ _ _ _ _ _ _ _ H)|apply (f_cU _ _ _ _ _ _ _ _ _ _ (at_edge k Hk))].
+  intros Hk. pose proof (at_edge k Hk) as E. assert (cont (Ut k)) by continuous. unfold asked. continuous.
 Qed.
 
 (** so the spring and the damper give back less than that *)
@@ -212,12 +195,10 @@ Proof.
       by (unfold energy, xt, vt; rewrite <- Meet; field; lra).
     rewrite Rmult_0_r, sqrt_0, Start, Rminus_0_r, Rplus_0_l in Q.
     replace (Rabs (lead k t)) with (Rabs (v1 t - vt k t)).
-    2: { unfold lead, vt. rewrite <- (Rmult_1_l (Rabs (v1 t - _))). replace 1 with (Rabs k) by (destruct Hk; subst k;
-      [apply Rabs_R1|rewrite Rabs_left; lra]). rewrite <- Rabs_mult. f_equal. destruct Hk; subst k; ring. }
+    2: { rewrite <- (Rabs_sign k) by auto. f_equal. unfold lead, vt. destruct Hk; subst k; ring. }
     apply Rmult_le_reg_l with (sqrt m1); auto. eapply Rle_trans; [exact R|]. eapply Rle_trans; [apply Q|].
     - intros r Hr. specialize (Sg r ltac:(lra)). split.
-      + eapply rderiv_eq; [|apply rderiv_minus; [apply DU; lra|apply rderiv_of_derive; unfold Ut, xt, vt; auto_derive;
-          auto; reflexivity]]. unfold beyond. destruct Hk; subst k; field; lra.
+      + unfold Ut, xt, vt. rate. unfold beyond. destruct Hk; subst k; field; lra.
       + apply rderiv_eq with (g * beyond k r); [|apply asked_rate; auto; lra]. symmetry.
         destruct Hk, Hg; subst k g; try rewrite Rabs_pos_eq by lra; try rewrite Rabs_left1 by lra; lra.
     - rewrite <- (sqrt_sqrt m1) at 3 by lra. apply Rmult_le_reg_r with (sqrt m1); auto. field_simplify; [|lra|lra].

@@ -101,23 +101,15 @@ Proof.
   assert (V0 : co 0 = cos (o * (T / 2)) /\ si 0 = - sin (o * (T / 2))).
   { unfold co, si. rewrite <- Z1, cos_neg, sin_neg. auto. }
   assert (VT : co T = cos (o * (T / 2)) /\ si T = sin (o * (T / 2))) by (unfold co, si; rewrite <- Z2; auto).
-  destruct V0 as (P0 & Q0), VT as (PT & QT). rewrite <- PT, <- QT in *. clear Z1 Z2.
+  destruct V0 as (P0 & Q0), VT as (PT & QT). rewrite <- PT, <- QT in *. clear Z1 Z2. clearbody co si.
   assert (K1 : m * y' T * co T + m * o * (y T * si T) - f / o * si T = m * y' 0 * co 0 + m * o * (y 0 * si 0) - f / o
     * si 0).
-  { apply (rderiv_0 (fun t => m * y' t * co t + m * o * (y t * si t) - f / o * si t) 0 T); [|lra|].
-    - apply cont_minus; [apply cont_plus|]; repeat apply cont_mult; auto using cont_const, cont_scal.
-    - intros t Ht. eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_plus|]].
-      4: apply rderiv_scal, rderiv_of_derive, Dsi.
-      2: apply (rderiv_mult (fun t => m * y' t)); [apply D'; auto|apply rderiv_of_derive, Dco].
-      2: apply rderiv_scal, rderiv_mult; [apply D; auto|apply rderiv_of_derive, Dsi]. rewrite <- O2. field; lra. }
+  { apply (rderiv_0 (fun t => m * y' t * co t + m * o * (y t * si t) - f / o * si t) 0 T); [continuous|lra|].
+    intros t Ht. rate. rewrite <- O2. field; lra. }
   assert (K2 : m * y' T * si T - m * o * (y T * co T) + f / o * co T = m * y' 0 * si 0 - m * o * (y 0 * co 0) + f / o
     * co 0).
-  { apply (rderiv_0 (fun t => m * y' t * si t - m * o * (y t * co t) + f / o * co t) 0 T); [|lra|].
-    - apply cont_plus; [apply cont_minus|]; repeat apply cont_mult; auto using cont_const, cont_scal.
-    - intros t Ht. eapply rderiv_eq; [|apply rderiv_plus; [apply rderiv_minus|]].
-      4: apply rderiv_scal, rderiv_of_derive, Dco.
-      2: apply (rderiv_mult (fun t => m * y' t)); [apply D'; auto|apply rderiv_of_derive, Dsi].
-      2: apply rderiv_scal, rderiv_mult; [apply D; auto|apply rderiv_of_derive, Dco]. rewrite <- O2. field; lra. }
+  { apply (rderiv_0 (fun t => m * y' t * si t - m * o * (y t * co t) + f / o * co t) 0 T); [continuous|lra|].
+    intros t Ht. rate. rewrite <- O2. field; lra. }
   rewrite P0, Q0, E, E' in *. split.
   - replace (- m * y' 0 * co T) with (/ 2 * (m * - y' 0 * co T - m * y' 0 * co T)) by field. lra.
   - apply Rmult_eq_reg_l with (2 * (m * o)); [|apply Rgt_not_eq; nra]. lra.
@@ -183,16 +175,14 @@ Proof.
     assert (Bs * sin (om * t) <= B * sin (om * t)) by scale.
     unfold V1, V2. replace (PI / (2 * om)) with (T / 2) in Sl by (unfold T; field; lra). nra. }
   assert (Arc : forced_arc m1 m2 a1 a2 b T (fun t => F * sin (om * t + phi)) X V1 V2 (fun _ => 1)).
-  { constructor.
+  { apply slip_arc; auto.
     - intros t. unfold X, V1. auto_derive; [exists (k' t); apply Dk|].
       rewrite (is_derive_unique (fun x : R => k x) _ _ (Dk t)). ring.
     - intros t. rewrite Eu. unfold X, V1. auto_derive; [eexists; apply Dk'|].
       rewrite (is_derive_unique (fun x : R => k' x) _ _ (Dk' t)). unfold S, C. field; lra.
     - intros t. unfold V2. auto_derive; auto. field; lra.
-    - intros t Ht. split; [lra|]. split; [auto|]. intros W. exfalso. apply (Rlt_not_le _ _ W).
-      destruct (Req_dec t 0) as [->|N].
-      + unfold V1, V2. rewrite Rmult_0_r, cos_0, sin_0. pose proof turn_0. fold A in H. lra.
-      + specialize (Ahead t ltac:(lra)). lra. }
+    - intros t Ht. destruct (Req_dec t 0) as [->|N]; [|specialize (Ahead t ltac:(lra)); lra].
+      unfold V1, V2. rewrite Rmult_0_r, cos_0, sin_0. pose proof turn_0. fold A in H. lra. }
   destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) _ X V1 V2 _ T ltac:(lra) (cont_wave F om phi
     Hom) (fun t _ => rderiv_wave F om phi t Hom) Arc) as (x & v1 & v2 & s & H & E).
   exists phi, x, v1, v2, s. destruct (E 0 ltac:(lra)) as (X0 & V10 & V20).
@@ -226,10 +216,8 @@ Proof.
     split; apply Rmult_eq_reg_r with (cos (o * (T / 2))); auto; [lra|].
     apply Rmult_eq_reg_l with (- m1); [|lra]. rewrite <- Rmult_assoc, A. unfold Rdiv. ring.
   - set (e := fun t => a2 / 2 * (z t * z t) + / (2 * m1) * (m1 * z' t * (m1 * z' t))).
-    assert (Ce : cont e) by (unfold e; apply cont_plus; apply cont_scal, cont_mult; auto using cont_scal).
-    assert (De : forall t, 0 <= t < T -> rderiv e t (- a1 * (z' t) ^ 2)).
-    { intros t Ht. unfold e. eapply rderiv_eq; [|apply rderiv_plus; apply rderiv_scal, rderiv_mult;
-        first [apply D|apply (D' t)]; auto]. cbv beta; field; lra. }
+    assert (Ce : cont e) by continuous. assert (De : forall t, 0 <= t < T -> rderiv e t (- a1 * (z' t) ^ 2)).
+    { intros t Ht. unfold e. rate. field; lra. }
     assert (Le : forall r t, 0 <= r <= t -> t <= T -> e t <= e r).
     { intros r t Hr Ht. apply (rderiv_mono e r t (fun t => - a1 * (z' t) ^ 2)); auto. intros q Hq. split; [apply De;
       lra|]. pose proof (pow2_ge_0 (z' q)). nra. }
@@ -281,10 +269,9 @@ Proof.
     t))).
   { intros t Ht. apply rderiv_ext with (fun u => (m1 * v1 u + b * s u - wave F om phi u) + (wave F om phi u - b * s u)).
     { intros; ring. }
-    eapply rderiv_eq; [|apply rderiv_plus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_minus;
-      [apply rderiv_wave; auto|apply rderiv_scal, Ds; auto]]]. ring. }
+    pose proof (rderiv_wave F om phi t Hom). rate. ring. }
   destruct (no_free_response (fun t => x t - X t) (fun t => v1 t - V t)) as (ZX & ZV).
-  { apply cont_minus; auto. exact (cont_of_derive _ _ DX). } { apply cont_minus; auto. exact (cont_of_derive _ _ DV). }
+  { pose proof (cont_of_derive _ _ DX). continuous. } { pose proof (cont_of_derive _ _ DV). continuous. }
   { intros t Ht. apply rderiv_minus; [apply (f_x _ _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_of_derive, DX]. }
   { intros t Ht. apply rderiv_ext with (fun u => m1 * v1 u - m1 * V u); [intros; ring|].
     eapply rderiv_eq; [|apply rderiv_minus; [apply Dv; auto|apply rderiv_scal, rderiv_of_derive, DV]]. field; lra. }

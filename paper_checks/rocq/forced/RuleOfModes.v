@@ -36,12 +36,10 @@ Theorem stuck_load t d : 0 <= t -> 0 < d -> rderiv U t (u t) -> (forall r, t <= 
   rderiv v2 t (load t / m2) /\ Rabs (load t) <= b.
 Proof.
   intros Ht Hd DU St. assert (D : rderiv v2 t (load t / m2)).
-  { apply rderiv_near with (fun r => / (m1 + m2) * ((m1 * v1 r + b * s r - U r) + U r + (m2 * v2 0 - b * s 0))) d;
-    [lra| |].
-    - intros r Hr. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H r ltac:(lra)) as Q. rewrite (St r) by lra.
-      apply Rmult_eq_reg_l with (m1 + m2); [|lra]. rewrite <- Rmult_assoc, Rinv_r by lra. lra.
-    - eapply rderiv_eq; [|apply rderiv_scal, rderiv_plus; [apply rderiv_plus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); lra|
-        exact DU]|apply rderiv_const]]. unfold load, ModeAtContact.load. field. lra. }
+  { apply rderiv_near with (fun r => / (m1 + m2) * (((m1 + m2) * v1 r - U r) + U r)) d; [lra| |].
+    - intros r Hr. rewrite (St r) by lra. field. lra.
+    - pose proof (stuck_needs m1 m2 a1 a2 b _ _ _ _ _ t d H Hd St Ht). rate. unfold load, ModeAtContact.load. field.
+      lra. }
   split; auto. pose proof (lip_rderiv v2 (b / m2) t _ (fun p q Hp => only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ p q H
     Hp) Ht D) as B.
   replace (load t) with (m2 * (load t / m2)) by (field; lra). replace b with (m2 * (b / m2)) by (field; lra).
@@ -109,8 +107,7 @@ Qed.
 Theorem jump_moves_strip : (cont x /\ cont v1 /\ cont v2) /\ forall j t,
   ModeAtContact.load m1 m2 a1 a2 (fun r => u r + j) (fun r => x r + j / a2) v1 t = load t.
 Proof.
-  split; [|intros j t; unfold load, ModeAtContact.load; field; lra]. split; [apply (f_cx _ _ _ _ _ _ _ _ _ _ H)|].
-  split; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)].
+  split; [split; [|split]; continuous|intros j t; unfold load, ModeAtContact.load; field; lra].
 Qed.
 End Rule.
 

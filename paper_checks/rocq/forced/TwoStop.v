@@ -40,27 +40,20 @@ Proof.
   intros (DX & DV) (DY & DW) EY EW Meet ET ET' Slip Load. pose proof Hts as Ht0.
   change (PI / om) with T in Ht0, ET, ET', Load |- *. assert (Mp : 0 < M) by positive.
   assert (A1 : forced_arc m1 m2 a1 a2 b ts u X V (fun t => V 0 + b / m2 * t) (fun _ => 1)).
-  { constructor; auto.
-    - intros t. eapply is_derive_ext_loc; [apply filter_forall; reflexivity|]. rewrite Rmult_1_r. apply DV.
+  { apply slip_arc; auto.
+    - intros t. rewrite Rmult_1_r. apply DV.
     - intros t. auto_derive; auto. field; lra.
-    - intros t Ht. split; [lra|split; [auto|]]. intros N. exfalso. destruct (Req_dec t 0) as [->|Nz]; [lra|].
-      specialize (Slip t ltac:(lra)). lra. }
+    - intros t Ht. destruct (Req_dec t 0) as [->|Nz]; [lra|]. specialize (Slip t ltac:(lra)). lra. }
   assert (A2 : forced_arc m1 m2 a1 a2 b (T - ts) (fun t => u (t + ts)) (fun t => Y (t + ts)) (fun t => W (t + ts))
     (fun t => W (t + ts)) (fun t => load Y W (t + ts) / b)).
   { assert (Sh : forall (f : R -> R) (l t : R), is_derive f (t + ts) l -> is_derive (fun t => f (t + ts)) t l).
     { intros f l t D. replace l with (scal 1 l) by (unfold scal; simpl; unfold mult; simpl; ring).
       apply (is_derive_comp f (fun t => t + ts)); auto. auto_derive; auto. }
-    constructor.
+    apply (stuck_arc m1 m2 a1 a2 b Hm1 Hm2 Hb (T - ts) (fun t => u (t + ts)) (fun t => Y (t + ts))
+      (fun t => W (t + ts))).
     - intros t. apply (Sh Y), DY.
-    - intros t. apply (Sh W). replace ((u (t + ts) - a2 * Y (t + ts) - a1 * W (t + ts) - b * (load Y W (t + ts) / b))
-      / m1) with ((F * sin (om * (t + ts) + phi) - a2 * Y (t + ts) - a1 * W (t + ts)) / (m1 + m2)); [apply DW|].
-      unfold load, u, M in *. field. repeat split; lra.
-    - intros t. apply (Sh W). replace (b * (load Y W (t + ts) / b) / m2)
-        with ((F * sin (om * (t + ts) + phi) - a2 * Y (t + ts) - a1 * W (t + ts)) / (m1 + m2)); [apply DW|].
-      unfold load, u, M in *. field. repeat split; lra.
-    - intros t Ht. split; [|split; intros; lra]. specialize (Load (t + ts) ltac:(lra)). apply Rabs_inv in Load.
-      change (- b <= load Y W (t + ts) <= b) in Load. split; apply Rmult_le_reg_l with b; auto;
-      replace (b * (load Y W (t + ts) / b)) with (load Y W (t + ts)) by (field; lra); lra. }
+    - intros t. apply (Sh W), DW.
+    - intros t Ht. pose proof (Load (t + ts) ltac:(lra)) as B. apply Rabs_inv in B. exact B. }
   destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) u X V _ _ ts ltac:(lra) (cont_wave F om phi Hom)
     (fun t _ => rderiv_wave F om phi t Hom) A1) as (x & v1 & v2 & s & H & E).
   destruct (E 0 ltac:(lra)) as (X0 & V10 & V20). destruct (E ts ltac:(lra)) as (Xs & V1s & V2s).
@@ -105,9 +98,7 @@ Proof.
     + (* the load just before pi/om, where all has the opposite sign *)
       assert (Q0 : - (m2 * (u T - a2 * x T - a1 * v1 T) / M) <= b).
       { apply (cont_le (fun t => - (m2 * (u t - a2 * x t - a1 * v1 t) / M)) b ts T); [|lra|].
-        - apply cont_ext with (fun t => - m2 / M * (u t - a2 * x t - a1 * v1 t)); [intros; field; lra|].
-          apply cont_scal. repeat apply cont_minus; auto using cont_scal.
-          apply cont_of_derive with (fun t => F * (om * cos (om * t + phi))). intros t. unfold u. auto_derive; auto. ring.
+        - continuous.
         - intros t Ht. pose proof (Load t Ht) as B. apply Rabs_inv in B. lra. }
       assert (ut : u T = - (F * sin phi)).
       { unfold u, T. replace (om * (PI / om) + phi) with (phi + PI) by (field; lra). rewrite neg_sin. ring. }

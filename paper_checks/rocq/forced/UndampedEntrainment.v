@@ -12,17 +12,15 @@ Let w t := v1 t - v2 t.
 Let D t := energy m1 m2 a2 (x t - y t) (v1 t - v t) (v2 t - v t).
 
 Lemma cont_slip : cont w.
-Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
+Proof. continuous. Qed.
 
 (** D' <= - b (1 - rho) |w|: the motion's friction takes b |w|, the other's gives back at most rho of it *)
 Lemma D_falls t : 0 <= t -> dini_le D t (- (b * (1 - rho) * Rabs (w t))).
 Proof.
-  intros Ht e He. assert (Z : rderiv (fun q => U q - U q) t 0).
-  { apply rderiv_ext with (fun _ => 0); [intros; ring|apply rderiv_const]. }
-  destruct (interface_parts m1 m2 a1 a2 Hm1 Hm2 _ _ _ _ _ _ _ _ _ _ _ _ (forced_rubs _ _ _ _ b _ _ _ _ _ Hb H)
-    (stuck_rubs _ _ _ _ b rho _ _ _ _ Hb H' Easy) t 0 Ht Z e He) as (d & Hd & K). exists d. split; auto. intros h Hh.
-  specialize (K h Hh). rewrite (Rminus_diag_eq (v t)), Rabs_R0 in K by auto.
-  assert (0 <= a1 * (v1 t - v t) ^ 2 * h) by positive. unfold D, w. lra.
+  intros Ht. eapply dini_weaken; [|exact (interface_parts m1 m2 a1 a2 Hm1 Hm2 _ _ _ _ _ _ _ _ _ _ _ _
+    (forced_rubs _ _ _ _ b _ _ _ _ _ Hb H) (stuck_rubs _ _ _ _ b rho _ _ _ _ Hb H' Easy) t 0 Ht (rderiv_same U t))].
+  cbv beta. rewrite (Rminus_diag_eq (v t)), Rabs_R0 by auto. assert (0 <= a1 * (v1 t - v t) ^ 2) by positive.
+  unfold w. lra.
 Qed.
 
 Lemma cont_D : cont D.
@@ -117,9 +115,7 @@ Proof.
     - (m1 * v q + b * (m2 / b * v q) - drive F om q) + (m2 * v2 0 - b * s 0)).
   { intros q Hq. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H q ltac:(lra)).
     replace (b * (m2 / b * v q)) with (m2 * v q) by (field; lra). unfold P, d1, d2. lra. }
-  apply rderiv_eq with (- (a2 * x t + 0 * v1 t) - - (a2 * y t + 0 * v t) + 0); [unfold dx; ring|].
-  apply rderiv_plus; [|apply rderiv_const].
-  exact (rderiv_minus _ _ _ _ _ (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht) (f_v1 _ _ _ _ _ _ _ _ _ _ Stuck t Ht)).
+  rate. unfold dx. ring.
 Qed.
 
 (** the relative velocity is Lipschitz, as all forces stay bounded *)
@@ -147,9 +143,7 @@ Let yV x0 v0 t := v t + V m1 m2 a2 x0 v0 t.
 Lemma tends : exists x0 v0, forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
   energy m1 m2 a2 (x t - yX x0 v0 t) (v1 t - yV x0 v0 t) (v2 t - yV x0 v0 t) <= e.
 Proof.
-  assert (Cd : forall f, cont f -> cont (fun t => f t - v t)) by (intros f C; apply cont_minus; [auto|apply (f_cv _ _ _ _ _ _ _ _ _ _ Stuck)]).
-  assert (Cx : cont dx) by (apply cont_minus; [apply (f_cx _ _ _ _ _ _ _ _ _ _ H)|apply (f_cx _ _ _ _ _ _ _ _ _ _ Stuck)]).
-  pose proof (Cd _ (f_cv _ _ _ _ _ _ _ _ _ _ H)) as C1. pose proof (Cd _ (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H)) as C2.
+  assert (Cx : cont dx) by continuous. assert (C1 : cont d1) by continuous. assert (C2 : cont d2) by continuous.
   destruct relative_lip as (K & HK & Lip).
   destruct (tends m1 m2 a2 del Hm1 Hm2 Ha2 del_pos dx d1 d2 Cx C1 C2
     (fun t Ht => rderiv_minus _ _ _ _ _ (f_x _ _ _ _ _ _ _ _ _ _ H t Ht) (f_x _ _ _ _ _ _ _ _ _ _ Stuck t Ht)) momentum_rate D_pays

@@ -1,7 +1,7 @@
 (** Transfers under a weak force without a damper: within half a turn no force of at most F, 3 F <= b M/m2, breaks the
     pair, and two arcs, under F and then under -F, bring it to rest at D before any other one does. Each force is tested
     with a sine that has its sign on both arcs. *)
-From InertialPair Require Import Dini Pair Stick Forced Arcs LeastTimeTransfer.
+From InertialPair Require Import Stick Forced Arcs LeastTimeTransfer.
 
 Section Weak.
 Variables m1 m2 a2 b F : R.
@@ -23,38 +23,20 @@ Lemma paired j k be r t : (j = 1 \/ j = -1) -> (k = 1 \/ k = -1) -> 0 <= r <= t 
   (forall q, r <= q <= t -> 0 <= k * sin (be - om * q)) ->
   j * (gained be t - gained be r) <= F * (k * (cos (be - om * t) - cos (be - om * r))) / om.
 Proof.
-  intros Hj Hk Hr St Sg. set (c := m2 * v2 0 - b * s 0). set (P q := m1 * v1 q + b * s q - U q + c).
-  assert (DS : forall q, is_derive (fun q => sin (be - om * q)) q (- om * cos (be - om * q))) by (intros q; auto_derive; auto; unfold Rminus; ring).
-  assert (DC : forall q, is_derive (fun q => cos (be - om * q)) q (om * sin (be - om * q))) by (intros q; auto_derive; auto; unfold Rminus; ring).
-  set (f q := (j * k * U q) * (k * sin (be - om * q)) + (j * (P q * sin (be - om * q) + M * om * (x q * cos (be - om * q)))
-    - F * k / om * cos (be - om * q))).
-  assert (E : forall q, r <= q <= t -> f q = j * gained be q - F * k / om * cos (be - om * q)).
-  { intros q Hq. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H q ltac:(lra)) as W. fold c in W. rewrite <- (St q Hq) in W.
-    unfold f, P, gained, M. replace (m1 * v1 q + b * s q - U q + c) with ((m1 + m2) * v1 q - U q) by lra.
-    destruct Hk; subst k. all: field; lra. }
-  assert (Le : f t <= f r).
-  { pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
-    pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H). pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ (forced_moving _ _ _ _ _ _ _ _ _ _ H)).
-    apply dini_mono; [|auto|].
-    - pose proof (cont_of_derive _ _ DS). pose proof (cont_of_derive _ _ DC).
-      unfold f, P. repeat first [apply cont_minus|apply cont_plus|apply cont_mult]; auto using cont_const, cont_scal.
-    - intros q Hq. assert (Lj : forall p q, 0 <= p <= q -> Rabs (j * k * U q - j * k * U p) <= F * (q - p)).
-      { intros p q' Hp. rewrite <- Rmult_minus_distr_l, Rabs_mult. replace (Rabs (j * k)) with 1; [rewrite Rmult_1_l; auto|].
-        symmetry. destruct Hj; subst j; destruct Hk; subst k; rewrite ?Rmult_1_l; unfold Rabs; destruct Rcase_abs; lra. }
-      pose proof (dini_lip_mult (fun q => j * k * U q) (fun q => k * sin (be - om * q)) q F _ (t - q) ltac:(lra) ltac:(lra) Lj
-        ltac:(intros p Hp; apply Sg; lra) (rderiv_scal k _ _ _ (rderiv_of_derive _ _ _ (DS q)))) as Du.
-      assert (DP : rderiv P q (- (a2 * x q + 0 * v1 q) + 0)).
-      { apply rderiv_plus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_const]. }
-      assert (Dr : rderiv (fun q => j * (P q * sin (be - om * q) + M * om * (x q * cos (be - om * q))) - F * k / om * cos (be - om * q)) q
-        (j * ((- (a2 * x q + 0 * v1 q) + 0) * sin (be - om * q) + P q * (- om * cos (be - om * q)) +
-          M * om * (v1 q * cos (be - om * q) + x q * (om * sin (be - om * q)))) - F * k / om * (om * sin (be - om * q)))).
-      { apply rderiv_minus; [apply rderiv_scal, rderiv_plus|apply (rderiv_scal (F * k / om) (fun q => cos (be - om * q))), rderiv_of_derive, DC].
-        - apply (rderiv_mult P (fun q => sin (be - om * q))); [exact DP|apply rderiv_of_derive, DS].
-        - apply (rderiv_scal (M * om) (fun q => x q * cos (be - om * q))), (rderiv_mult x (fun q => cos (be - om * q))); [apply (f_x _ _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_of_derive, DC]. }
-      eapply dini_eq; [|exact (dini_plus _ _ _ _ _ Du Dr)]. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H q ltac:(lra)) as W. fold c in W.
-      rewrite <- (St q) in W by lra. assert (EP : P q = M * v1 q - U q) by (unfold P, M; lra). rewrite EP, a2_om.
-      destruct Hk; subst k; field; lra. }
-  rewrite (E t), (E r) in Le by lra. unfold Rdiv in *. lra.
+  intros Hj Hk Hr St Sg. apply Rle_trans with (F * (k * (cos (be - om * t) - cos (be - om * r)) / om));
+    [|right; field; lra].
+  assert (MP : 0 < M) by (unfold M; lra).
+  pose proof (tested M 0 a2 0 (j * k) F U x v1 (fun q => k * sin (be - om * q))
+    (fun q => - k * cos (be - om * q) / om) r t
+    MP ltac:(destruct Hj, Hk; subst j k; lra) Hr ltac:(continuous) ltac:(continuous) ltac:(continuous) LU) as Q.
+  cbv beta in Q.
+  rewrite a2_om in Q. eapply Rle_trans; [|eapply Rle_trans; [apply Q|right; field; lra]].
+  - right. unfold gained. destruct Hk; subst k; field; lra.
+  - intros q Hq. split; [rates|]. rewrite <- a2_om. apply rderiv_eq with (- (a2 * x q + 0 * v1 q)); [ring|].
+    apply (stuck_needs m1 m2 0 a2 b U x v1 v2 s q (t - q) H); try lra. intros u Hu. apply St. lra.
+  - intros q. auto_derive; auto. unfold Rminus. field. lra.
+  - intros q. auto_derive; auto. unfold Rminus. field. lra.
+  - exact Sg.
 Qed.
 
 (** stuck so far, within half a turn: body 1 is not beyond 1 - cos *)
@@ -88,15 +70,14 @@ Qed.
     $\pi/\Omega$. *)
 Theorem sticks_half_turn t : 0 <= t -> om * t <= PI -> v1 t = v2 t.
 Proof.
-  intros Ht Hp. assert (C1 : cont v1) by apply (f_cv _ _ _ _ _ _ _ _ _ _ H).
-  assert (C2 : cont v2) by exact (moves_cv2 m1 m2 0 a2 b Hm2 _ _ _ _ _ _ (forced_moving _ _ _ _ _ _ _ _ _ _ H)).
+  intros Ht Hp.
   assert (Zero : forall q, (forall k, k = 1 \/ k = -1 -> k * (v1 q - v2 q) <= 0) -> v1 q = v2 q).
   { intros q B. pose proof (B 1 ltac:(auto)). pose proof (B (-1) ltac:(auto)). lra. }
   cut (forall r, 0 <= r <= t -> v1 r = v2 r); [intros St; apply St; lra|].
   apply (onward (fun t => forall r, 0 <= r <= t -> v1 r = v2 r) 0 t); try lra.
   - intros r Hr. replace r with 0 by lra. lra.
   - intros q Hq St r Hr. destruct (Rlt_dec r q) as [Lt|]; [apply (St r ltac:(lra)); lra|]. replace r with q by lra.
-    apply Zero. intros k Hk. apply (cont_le (fun q => k * (v1 q - v2 q)) 0 0 q); [apply cont_scal, cont_minus; auto|lra|].
+    apply Zero. intros k Hk. apply (cont_le (fun q => k * (v1 q - v2 q)) 0 0 q); [continuous|lra|].
     intros p Hp'. rewrite (St p) by lra. lra.
   - intros q Hq St. assert (Oq : 0 <= om * q < om * t) by (split; [apply Rmult_le_pos|apply Rmult_lt_compat_l]; lra).
     assert (Lt : a2 * Rabs (x q) < 2 * F).
@@ -171,9 +152,11 @@ Proof.
   { unfold c2. split; [apply Rdiv_lt_0_compat; nra|]. undivide (1 + xi). nra. }
   assert (E2 : (1 + xi) * c2 = 2 - c1) by (unfold c2, c1; field; lra).
   set (R := F / a2). assert (HR : 0 < R) by (unfold R; positive). assert (DR : D = xi * R) by (unfold xi, R; field; lra).
-  assert (FR : F = a2 * R) by (unfold R; field; lra).
+  assert (FR : F = M * (om * om) * R) by (rewrite <- a2_om; unfold R; field; lra).
+  assert (MP : 0 < M) by (unfold M; lra).
   set (al := acos c1) in *. set (be := acos c2) in *. assert (O1 : om * t1 = al) by (unfold t1; field; lra).
-  assert (O2 : om * t2 = be) by (unfold t2; field; lra). pose proof (acos_bound c1). pose proof (acos_bound c2). fold al in H. fold be in H0.
+  assert (O2 : om * t2 = be) by (unfold t2; field; lra). pose proof (acos_bound c1 : 0 <= al <= PI).
+  pose proof (acos_bound c2 : 0 <= be <= PI).
   assert (T1 : 0 <= t1) by (unfold t1; positive). assert (T2 : 0 <= t2) by (unfold t2; positive).
   assert (Cal : cos al = c1) by (apply cos_acos; lra). assert (Cbe : cos be = c2) by (apply cos_acos; lra).
   assert (Sin : sin al = (1 + xi) * sin be).
@@ -184,65 +167,53 @@ Proof.
       replace (((1 + xi) * sin be) ^ 2) with ((1 + xi) ^ 2 * (1 - c2 * c2)) by (rewrite <- Qb; ring).
       replace ((1 + xi) ^ 2 * (1 - c2 * c2)) with ((1 + xi) ^ 2 - ((1 + xi) * c2) ^ 2) by ring. rewrite E2. unfold c1. field. }
     assert (0 <= (1 + xi) * sin be) by positive. nra. }
-  set (X1 t := R * (1 - cos (om * t))). set (V1 t := R * (om * sin (om * t))). set (A1 t := R * (om * (om * cos (om * t)))).
-  set (X2 t := (1 + xi) * R * cos (be - om * t) - R). set (V2 t := (1 + xi) * R * (om * sin (be - om * t))).
-  set (A2 t := - ((1 + xi) * R * (om * (om * cos (be - om * t))))).
-  assert (D1 : forall t, is_derive X1 t (V1 t)) by (intros; unfold X1, V1; auto_derive; auto; ring).
-  assert (D2 : forall t, is_derive V1 t (A1 t)) by (intros; unfold V1, A1; auto_derive; auto; ring).
-  assert (D3 : forall t, is_derive X2 t (V2 t)) by (intros; unfold X2, V2; auto_derive; auto; unfold Rminus; ring).
-  assert (D4 : forall t, is_derive V2 t (A2 t)) by (intros; unfold V2, A2; auto_derive; auto; unfold Rminus; ring).
-  set (y := join t2 X2 (fun _ => D)). set (y' := join t2 V2 (fun _ => 0)). set (y'' := join t2 A2 (fun _ => 0)).
-  assert (Z2 : be - om * t2 = 0) by lra.
-  assert (JX : X2 t2 = D) by (unfold X2; rewrite Z2, cos_0, DR; ring). assert (JV : V2 t2 = 0) by (unfold V2; rewrite Z2, sin_0; ring).
-  assert (JX1 : X1 t1 = y 0).
-  { unfold y. rewrite join_before by (auto; lra). unfold X1, X2. rewrite O1, Rmult_0_r, Rminus_0_r, Cal, Cbe.
-    replace ((1 + xi) * R * c2) with (R * ((1 + xi) * c2)) by ring. rewrite E2. ring. }
-  assert (JV1 : V1 t1 = y' 0).
-  { unfold y'. rewrite join_before by (auto; lra). unfold V1, V2. rewrite O1, Rmult_0_r, Rminus_0_r, Sin. ring. }
-  set (r := join t1 X1 y). set (r' := join t1 V1 y'). set (r'' := join t1 A1 y'').
-  assert (Cy : cont y) by (apply cont_join; auto using cont_const; exact (cont_of_derive _ _ D3)).
-  assert (Cy' : cont y') by (apply cont_join; auto using cont_const; exact (cont_of_derive _ _ D4)).
-  assert (Cr : cont r) by (apply cont_join; auto; exact (cont_of_derive _ _ D1)).
-  assert (Cr' : cont r') by (apply cont_join; auto; exact (cont_of_derive _ _ D2)).
-  assert (Rate : forall f f' f'' g g' c t, f t2 = c -> (forall t, is_derive f t (f' t)) -> g t1 = join t2 f (fun _ => c) 0 ->
-    (forall t, is_derive g t (g' t)) -> f'' = join t2 f' (fun _ => 0) -> 0 <= t ->
-    rderiv (join t1 g (join t2 f (fun _ => c))) t (join t1 g' f'' t)).
-  { intros f f' f'' g g' c t Ef Df Eg Dg -> Ht. unfold join at 3. destruct (Rlt_dec t t1) as [L|N].
-    - apply rderiv_join_before; auto. apply rderiv_of_derive, Dg.
-    - apply rderiv_join_after; [lra|]. unfold join at 2. destruct (Rlt_dec (t - t1) t2) as [L'|N'].
-      + apply rderiv_join_before; auto. apply rderiv_of_derive, Df.
-      + apply rderiv_join_after; [lra|apply rderiv_const]. }
-  assert (Dr : forall t, 0 <= t -> rderiv r t (r' t)) by (intros; apply Rate with V2; auto).
-  assert (Dr' : forall t, 0 <= t -> rderiv r' t (r'' t)) by (intros; apply Rate with A2; auto).
-  assert (RM : M * (R * (om * om)) = F) by (rewrite FR, a2_om; ring).
   (* the force: F, then -F, then a2 D *)
-  assert (Force : forall t, M * r'' t + a2 * r t = if Rlt_dec t t1 then F else if Rlt_dec (t - t1) t2 then - F else a2 * D).
-  { intros t. unfold r'', r, join. destruct (Rlt_dec t t1); [|unfold y'', y, join; destruct (Rlt_dec (t - t1) t2)].
-    - unfold A1, X1. rewrite a2_om, <- RM. ring.
-    - unfold A2, X2. rewrite a2_om, <- RM. ring.
-    - ring. }
-  assert (Small : forall t, Rabs (r'' t) <= b / m2).
-  { assert (B : forall c z, 0 <= c <= 2 -> Rabs (c * R * (om * (om * cos z))) <= b / m2).
-    { intros c z Hc. apply Rmult_le_reg_l with M; [unfold M; lra|]. replace (M * (b / m2)) with (b * (m1 + m2) / m2) by (unfold M; field; lra).
-      rewrite <- (Rabs_pos_eq M) at 1 by (unfold M; lra). rewrite <- Rabs_mult.
-      replace (M * (c * R * (om * (om * cos z)))) with (F * c * cos z) by (rewrite <- RM; ring).
-      pose proof (COS_bound z). assert (0 <= F * c <= F * 2) by (split; [positive|scale]). apply Rabs_le. split; nra. }
-    assert (0 <= b / m2) by positive. intros t. unfold r'', join. destruct (Rlt_dec t t1).
-    - unfold A1. rewrite <- (Rmult_1_l R). apply B. lra.
-    - unfold y'', join. destruct (Rlt_dec (t - t1) t2); [|rewrite Rabs_R0; auto]. unfold A2. rewrite Rabs_Ropp. apply B. lra. }
-  assert (Lip : forall p q, 0 <= p <= q -> Rabs (r' q - r' p) <= b / m2 * (q - p)) by (intros; apply (lip_of_rderiv r' r''); auto).
-  assert (R0 : r 0 = 0).
-  { unfold r. rewrite join_before by auto. unfold X1. rewrite Rmult_0_r, cos_0. ring. }
-  assert (R0' : r' 0 = 0). { unfold r'. rewrite join_before by auto. unfold V1. rewrite Rmult_0_r, sin_0. ring. }
-  pose proof (trackable m1 m2 0 a2 b Hm2 Hb 0 r r' Cr Dr Lip) as Fo. set (U := fun t => _) in Fo.
-  assert (DU : forall t, 0 <= t -> rderiv U t (M * r'' t + a2 * r t)).
-  { intros t Ht. apply rderiv_eq with (M * r'' t + 0 * r' t + a2 * (0 + r t - r 0)); [rewrite R0; ring|]. apply tracking_force; auto. }
-  eexists U, _, r', r', _. split; [exact Fo|]. split; [|split; [rewrite R0; ring|split; [auto|split; [auto|split; [|split]]]]].
-  - intros p q Hp. apply (lip_of_rderiv U (fun t => M * r'' t + a2 * r t)); auto; [apply (f_cU _ _ _ _ _ _ _ _ _ _ Fo)|].
-    intros t Ht. split; [apply DU; auto|]. rewrite Force. assert (0 < a2 * D) by positive.
-    apply Rabs_le. destruct (Rlt_dec t t1); [lra|]. destruct (Rlt_dec (t - t1) t2); lra.
-  - intros t Ht. assert (r t = D /\ r' t = 0) by (unfold r, r', y, y'; rewrite !join_after by lra; auto). rewrite R0. repeat split; lra.
-  - intros t Ht. eapply rderiv_eq; [|apply DU; lra]. rewrite Force. destruct (Rlt_dec t t1); lra.
-  - intros t Ht. eapply rderiv_eq; [|apply DU; lra]. rewrite Force. destruct (Rlt_dec t t1); [lra|]. destruct (Rlt_dec (t - t1) t2); lra.
+  set (U2 := join t2 (fun t => F * t1 - F * t) (fun t => F * t1 - F * t2 + a2 * D * t)).
+  set (U := join t1 (fun t => F * t) U2). assert (J2 : F * t1 - F * t2 = F * t1 - F * t2 + a2 * D * 0) by ring.
+  assert (J1 : F * t1 = U2 0) by (unfold U2; rewrite join_before by (auto; lra); ring). assert (0 < a2 * D) by positive.
+  assert (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= F * (t - r)).
+  { intros r t. apply lip_join; auto; [|intros p q; apply lip_join; auto]; intros; apply Rabs_le; split; nra. }
+  assert (CU : cont U) by (apply (lip_cont U F); [lra|auto]).
+  assert (DU1 : forall t, 0 <= t < t1 -> rderiv U t F) by (intros; apply rderiv_join_before; [auto|lra|rate; ring]).
+  assert (DU2 : forall t, t1 <= t < t1 + t2 -> rderiv U t (- F)).
+  { intros. apply rderiv_join_after; [lra|]. apply rderiv_join_before; [auto|lra|rate; ring]. }
+  assert (DU3 : forall t, t1 + t2 <= t -> rderiv U t (a2 * D))
+    by (intros; do 2 (apply rderiv_join_after; [lra|]); rate; ring).
+  (* the pair follows three arcs, stuck *)
+  assert (Load : forall c z, - 2 <= c <= 2 -> - b <= m2 * (F * c * cos z) / M <= b).
+  { intros c z Hc. pose proof (COS_bound z). assert (- 2 <= c * cos z <= 2) by (split; nra).
+    assert (0 < m2 * F) by positive.
+    assert (m2 * (3 * F) <= b * M) by (replace (b * M) with (m2 * (b * (m1 + m2) / m2)) by (unfold M; field; lra);
+      scale).
+    assert (m2 * F * -2 <= m2 * F * (c * cos z) <= m2 * F * 2) by (split; apply Rmult_le_compat_l; lra).
+    split; undivide M; lra. }
+  pose proof (stuck_arc m1 m2 0 a2 b Hm1 Hm2 Hb t1 (fun _ => F) (fun t => R * (1 - cos (om * t)))
+    (fun t => R * (om * sin (om * t)))
+    ltac:(intros; auto_derive; auto; ring) ltac:(intros; auto_derive; auto; rewrite a2_om, FR; unfold M; field; lra))
+      as A1.
+  pose proof (stuck_arc m1 m2 0 a2 b Hm1 Hm2 Hb t2 (fun _ => - F) (fun t => (1 + xi) * R * cos (be - om * t) - R)
+    (fun t => (1 + xi) * R * (om * sin (be - om * t))) ltac:(intros; auto_derive; auto; unfold Rminus; ring)
+    ltac:(intros; auto_derive; auto; rewrite a2_om, FR; unfold M, Rminus; field; lra)) as A2.
+  destruct (arc_begins m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb U _ _ _ _ _ t1 T1 CU DU1 (A1 ltac:(intros t _; cbv beta;
+    replace (F - _ - _) with (F * 1 * cos (om * t)) by (rewrite a2_om, FR; ring); apply Load; lra)))
+      as (x & v1 & v2 & s & Mo & E).
+  destruct (E 0 ltac:(lra)) as (X0 & V0 & W0). destruct (E t1 ltac:(lra)) as (Xt & Vt & Wt).
+  rewrite Rmult_0_r, cos_0 in X0. rewrite Rmult_0_r, sin_0 in V0, W0. rewrite O1 in Xt, Vt, Wt.
+  destruct (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb U (fun _ => - F) x v1 v2 s _ _ _ _ t2 t1 T2 T1 DU2 (A2
+    ltac:(intros t _;
+    cbv beta; replace (- F - _ - _) with (F * - (1 + xi) * cos (be - om * t)) by (rewrite a2_om, FR; ring);
+      apply Load; lra)) Mo)
+    with (t := t2) as (Xe & Ve & We); try lra; cbv beta; rewrite ?Rmult_0_r, ?Rminus_0_r, ?Cbe.
+  { rewrite Xt, ?Cal. transitivity (R * ((1 + xi) * c2) - R); [rewrite E2|]; ring. } { rewrite Vt, ?Sin. ring.
+    } { rewrite Wt, ?Sin. ring. }
+  replace (be - om * t2) with 0 in Xe, Ve, We by lra. rewrite cos_0 in Xe. rewrite sin_0 in Ve, We.
+  exists U, x, v1, v2, s.
+  split; [auto|split; [auto|split; [lra|split; [lra|split; [lra|split; [|auto]]]]]]. intros t Ht.
+  destruct (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb U (fun _ => a2 * D) x v1 v2 s (fun _ => D)
+    (fun _ => 0) (fun _ => 0)
+    (fun _ => 0) (t - (t1 + t2)) (t1 + t2)) with (t := t - (t1 + t2)) as (Xd & Vd & Wd); auto; try lra.
+  { intros q Hq. apply DU3. lra. }
+  { constructor; [| | |intros; lra]; intros q; auto_derive; auto; field; lra. }
+  replace (t1 + t2 + (t - (t1 + t2))) with t in * by ring. lra.
 Qed.
 End Weak.
