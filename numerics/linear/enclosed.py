@@ -16,7 +16,7 @@ from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided
 from numerics.linear.cells import VANISHES
 from numerics.linear.exact_start import ExactKnot, exact_knots
-from numerics.linear.flow import Expansion
+from numerics.linear.flow import Motion
 from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, WALL, X1, X2
 from numerics.linear.next_enclosed import CLEAR, SHY, Root, next_event, short_step, slow_curves
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
@@ -148,7 +148,7 @@ class EnclosedRun(EnclosedPath):
             if self.kept > 0:
                 order = 1
             else:
-                bend = -Expansion(flow, z, arb(0)).guards()[root.guard.row].polynomial[1] * kappa * kappa
+                bend = -Motion(flow, z).guards()[root.guard.row].polynomial[1] * kappa * kappa
                 if not bend > 0:
                     raise self.undecided(at)
                 # where the load is not quite b, the slip starts a little later than here
@@ -278,8 +278,7 @@ class EnclosedRun(EnclosedPath):
                 self.interval(at, state)
         start = local.lower()
         if knot.local:  # a time that is rounded, by as much before the knot
-            flow, z = self.here(at)
-            state = Expansion(flow, z, (start - local).abs_upper()).state(start - local)
+            state = Motion(*self.here(at)).state(start - local)
         return self.settled(at, state, zero)._replace(local=start)
 
     def exactly(self, knot: ExactKnot) -> list[arb]:

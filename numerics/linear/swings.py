@@ -24,14 +24,15 @@ class Swings:
 
     def __init__(self, flow: Flow, z: Sequence[arb]) -> None:
         """Form them; what has no such form, a resonance or double rates, is left with infinite numbers."""
-        self.rates = [acb(0, omega) for omega in flow.turns]
+        places = flow.mode.sine_places
+        self.rates = [acb(0, flow.generator[place][0][1]) for place in places]
         self.curves: dict[int, arb_poly] = {}
         self.terms: dict[int, dict[int, acb]] = {}
         for block in flow.norm.blocks:
             for k in block:
                 terms = [z[m] / math.factorial(m - k) for m in range(k, block.stop)]
                 self.curves[k], self.terms[k] = arb_poly(terms), {}
-        for n, k in enumerate(flow.places):
+        for n, k in enumerate(places):
             turned = acb(z[k + 1], z[k])
             self.curves[k] = self.curves[k + 1] = arb_poly([])
             self.terms[k], self.terms[k + 1] = {n: -_I * turned}, {n: turned}

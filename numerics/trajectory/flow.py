@@ -20,8 +20,9 @@ from flint import arb, arb_mat
 from numerics.arithmetic.ball import Ball, as_float, exact_middle, magnitude_bits
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.linear.model import FIRST, SLIP, STICK, TAKEN, Cell, Layout
-from numerics.linear.system import LinearMode, LocalNorm, Motion, matrix, sparse
+from numerics.linear.flow import BITS_PER_SQUARING, Motion, flow_of, motion_in, squarings
+from numerics.linear.model import FIRST, SLIP, STICK, TAKEN, X1, X2, Cell, Layout
+from numerics.linear.system import LinearMode, matrix, sparse
 from numerics.scene import Pair
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.comparison import as_ball
@@ -29,9 +30,7 @@ from numerics.trajectory.comparison import as_ball
 _TERMS = 14
 """Terms of Taylor while a rate turns through 1/2: the next one is below 2^-53 of their size."""
 _SPARE_BITS = 24
-_BITS_PER_DOUBLING = 5
-"""What a flow may lose each time that it is squared."""
-_STATE = tuple(((place, Fraction(1)),) for place in range(FIRST))
+_PLACES = ((X1, Fraction(1)),), ((X2, Fraction(1)),)
 _PHASE_BITS = 384
 """For the phase of a sine where a piece begins, however many turns that is."""
 
@@ -44,13 +43,13 @@ class Steps:
         """Form exp(A h 2^k) in balls."""
         mode = LinearMode.like(pair, int(slips), layout, cell)
         with precision(64):
-            fastest = LocalNorm(mode).fastest.upper()
+            fastest = flow_of(64, pair, slips, layout, cell, 1).norm.fastest.upper()
         shortest = min(top, -1 - magnitude_bits(fastest)) if fastest > 0 else top
         unit, self.h = Fraction(2) ** shortest, np.ldexp(1.0, shortest)
         self.taylor = np.array([[float(one * unit) for one in row] for row in mode.generator()])
         largest = max(0, int(np.frexp(np.abs(self.taylor).max())[1]))
         self.longer: list[Floats] = []
-        with precision(144 + _BITS_PER_DOUBLING * (top - shortest) + 2 * largest):
+        with precision(144 + BITS_PER_SQUARING * (top - shortest) + 2 * largest):
             flow = (matrix(mode.generator()) * (arb(2) ** shortest)).exp()
             for _ in range(top - shortest):
                 self.longer.append(np.array([*map(as_float, (flow - 1).entries())]).reshape(mode.size, mode.size))
@@ -107,30 +106,32 @@ class Moving:
         """
         with precision(self.bits):
             since = as_ball(tau)
-        with precision(self.bits + 2 * self.mode.size * halvings(self.mode, since)):
-            found = function(self.mode.motion(*self.start), since)
+            motion = motion_in(self.mode, *self.start)
+            spare = 2 * self.mode.size * squarings(motion.flow.A, since)
+        with precision(self.bits + spare):
+            found = function(motion_in(self.mode, *self.start), since)
         return tuple(+one if self.is_ball else self.arithmetic.number(exact_middle(one)) for one in found)
 
     def _state(self, motion: Motion, tau: arb) -> Sequence[arb]:
-        over = motion.over(tau)
-        x1, v1, x2, v2 = (over.range(row) for row in _STATE)
+        (x1, x2), (v1, v2) = motion.ranges(_PLACES, tau, 0, 1)
         return x1, v1, x2, v2 if self.mode.side else v1
 
     def _taken(self, motion: Motion, tau: arb) -> Sequence[arb]:
         """Return the integrals by Van Loan's block exponential; a ball of times adds what a power may be there."""
-        mode, over, found = self.mode, motion.over(tau), [arb(0)] * len(TAKEN)
-        halved = halvings(mode, tau)
+        mode, A, begun, found = self.mode, motion.flow.A, motion.column, [arb(0)] * len(TAKEN)
+        halved = squarings(A, tau)
         short = tau.mid() / arb(2) ** halved
         for place, (one, two) in enumerate(mode.rows.powers[SLIP if mode.side else STICK].tolist()):
             if any(one) and any(two):
                 form = matrix([one]).transpose() * matrix([two])
                 # symmetric, which balls bound more sharply
-                flow, total = _van_loan(motion.matrix, short, (form + form.transpose()) / 2)
+                flow, total = _van_loan(A, short, (form + form.transpose()) / 2)
                 for _ in range(halved):
                     total += flow.transpose() * total * flow
                     flow = flow * flow
-                middle = (motion.begin.transpose() * total * motion.begin)[0, 0]
-                found[place] = middle + tau.rad() * arb(0, 1) * over.range(sparse(one)) * over.range(sparse(two))
+                (factors,) = motion.ranges((sparse(one), sparse(two)), tau, 0)
+                power = tau.rad() * arb(0, 1) * factors[0] * factors[1]
+                found[place] = (begun.transpose() * total * begun)[0, 0] + power
         return found
 
 
@@ -141,9 +142,3 @@ def _van_loan(A: arb_mat, tau: arb, Q: arb_mat) -> tuple[arb_mat, arb_mat]:
     block = (arb_mat([*above, *([*nothing, *one] for one in A.tolist())]) * tau).exp().tolist()
     flow = arb_mat([row[n:] for row in block[n:]])
     return flow, flow.transpose() * arb_mat([row[n:] for row in block[:n]])
-
-
-def halvings(mode: LinearMode, tau: arb) -> int:
-    """Return how often a time must be halved for the flow over it to be a small matrix."""
-    upper = abs(tau).upper()
-    return max(0, mode.entry_bits + 6 + magnitude_bits(upper)) if upper > 0 and upper.is_finite() else 0

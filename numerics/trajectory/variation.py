@@ -24,9 +24,10 @@ import flint
 import numpy as np
 from flint import arb, arb_mat, fmpq, fmpq_series
 
-from numerics.arithmetic.ball import Ball, Parts, ball_of, magnitude_bits, parts_of
+from numerics.arithmetic.ball import Ball, Parts, ball_of, parts_of
 from numerics.arithmetic.precision import precision
 from numerics.linear.cells import cells_of
+from numerics.linear.flow import BITS_PER_SQUARING, motion_in, squarings
 from numerics.linear.model import (
     FIRST,
     FRICTION,
@@ -46,8 +47,6 @@ from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.trajectory import Trajectory
 
-_BITS_PER_SQUARING = 5
-"""What an exponential may lose each time that it is squared: entries are sums of a few products."""
 SIGNALS = ("force", "force_2", "belt", "wall", "friction")
 _OF_A_PAIR = ("m1", "m2", "a1", "a2", "b", "b_static")
 _NOTHING = Piece(0)
@@ -95,8 +94,8 @@ def legs(trajectory: Trajectory) -> list[Leg]:
 
 def field(mode: LinearMode, state: Sequence[arb], t: arb) -> Array:
     """Return (x1, v1, x2, v2)' of a state at a time, s."""
-    motion = mode.motion(state, t)
-    return np.array(motion.rate(motion.begin).entries()[:FIRST])
+    motion = motion_in(mode, state, t)
+    return np.array((motion.flow.A * motion.column).entries()[:FIRST])
 
 
 class Variation:
@@ -242,7 +241,6 @@ def _series(value: Fraction, slope: Fraction | int) -> fmpq_series:
 
 def _exponential(matrix: Array, tau: arb) -> Array:
     """Return the exponential of a matrix times a time."""
-    exact = arb_mat(matrix.tolist()) * tau
-    squarings = max(0, 1 + magnitude_bits((exact * exact.transpose()).trace().mid()) // 2)
-    with precision(flint.ctx.prec + _BITS_PER_SQUARING * squarings):
-        return np.array(exact.exp().tolist())
+    A = arb_mat(matrix.tolist())
+    with precision(flint.ctx.prec + BITS_PER_SQUARING * squarings(A, tau)):
+        return np.array((A * tau).exp().tolist())
