@@ -17,7 +17,7 @@ from flint import arb, arb_mat, arb_poly, ctx
 from numerics.arithmetic.ball import Ball, magnitude_bits, widened
 from numerics.arithmetic.precision import cached_property, precision
 from numerics.linear.model import CONSTANT, FIRST, V1, X1, X2, Cell, Layout
-from numerics.linear.system import BallRow, LinearMode, LocalNorm, Row, Z, dot, matrix, sparse
+from numerics.linear.system import BallRow, LinearMode, LocalNorm, Row, Z, dot, in_balls, matrix, sparse
 from numerics.scene import Pair
 
 REACH = 2
@@ -201,11 +201,6 @@ def squarings(A: arb_mat, t: arb) -> int:
     """Return how often a time must be halved for A t to be small."""
     size = ((A * A.transpose()).trace() * t * t).abs_upper()
     return max(0, 2 + magnitude_bits(size) // 2) if size.is_finite() else 0
-
-
-def in_balls(row: Row) -> list[tuple[int, arb]]:
-    """Return a row with factors in balls."""
-    return [(place, Ball.number(c)) for place, c in row]
 
 
 flow_of = lru_cache(maxsize=256)(Flow)

@@ -246,9 +246,14 @@ def dot(row: BallRow, z: Sequence[arb]) -> arb:
     return sum((c * z[place] for place, c in row), arb(0))
 
 
-def value(row: Row, z: arb_mat) -> arb:
-    """Return the value of a linear function of z."""
-    return dot([(place, Ball.number(c)) for place, c in row], z.entries())
+def in_balls(row: Row) -> BallRow:
+    """Return a row with factors in balls."""
+    return [(place, Ball.number(c)) for place, c in row]
+
+
+def value(row: Row, z: Sequence[arb]) -> arb:
+    """Return the value of an exact row."""
+    return dot(in_balls(row), z)
 
 
 def matrix(rows: Sequence[Sequence[Fraction]]) -> arb_mat:
