@@ -265,15 +265,13 @@ class EnclosedRun(EnclosedPath):
     def begin(self, knot: ExactKnot) -> At:
         """Return an exact knot as a point; the motion starts within its rounding."""
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
-        at = At(knot.mode, (knot.order, 0), knot.piece, local, state, zero, zero, zero, zero)
+        at = At(knot.mode, knot.orders, knot.piece, local, state, zero, zero, zero, zero, knot.cell)
         piece, v1 = self.pieces[knot.piece], knot.state[V1].rational
         stretch = (knot.state[X1] - signal_form(piece, WALL, knot.local)).rational
         if knot.mode and self.is_closed(at) and stretch is not None and v1 is not None:
             at = self.on_circle(at, stretch, v1)
         if self.varies:
-            cell, orders = self.cells.start(piece, knot.mode, knot.local, knot.state, knot.order)
-            apart = None if knot.mode else (knot.state[X1] - knot.state[X2]).rational
-            at = at._replace(cell=cell, orders=orders, apart=apart)
+            at = at._replace(apart=None if knot.mode else (knot.state[X1] - knot.state[X2]).rational)
             if knot.mode and not self.arithmetic.number(0).is_zero():  # a box of starts
                 self.interval(at, state)
         start = local.lower()

@@ -30,8 +30,6 @@ _FURTHER = 4
 """Further terms of Taylor over a short ball of times."""
 _SLOWEST = arb((1, -2_000))
 """The rate of what has none, 1/s."""
-BITS_PER_SQUARING = 5
-"""What an exponential may lose each time that it is squared: entries are sums of a few products."""
 
 
 class Curve(NamedTuple):
@@ -116,8 +114,8 @@ class Flow:
         """By how much each derivative of each guard can differ for motions of one mode whose N differs by 1."""
 
     def over(self, t: arb) -> arb_mat:
-        """Return exp(A t); long times are formed with more bits."""
-        with precision(ctx.prec + BITS_PER_SQUARING * squarings(self.A, t) + 16):
+        """Return exp(A t); long times are formed with more bits, since errors double with each squaring."""
+        with precision(ctx.prec + 3 * squarings(self.A, t) + 16):
             return (matrix(self.mode.generator()) * t).exp()
 
 
@@ -194,7 +192,7 @@ def _curve(coefficients: list[arb], row: BallRow, sizes: Sequence[arb], place: i
 
 def motion_in(mode: LinearMode, state: Sequence[arb], t: arb) -> Motion:
     """Return the motion, for `at` and `ranges`, that starts in a mode at time t (s) with the state (x1, v1, x2, v2)."""
-    return Motion(flow_of(ctx.prec, mode.pair, mode.side != 0, mode.layout, mode.cell, 1), mode.begin(state, t))
+    return Motion(flow_of(ctx.prec, mode.pair, bool(mode.side), mode.layout, mode.cell, 1), mode.begin(state, t))
 
 
 def squarings(A: arb_mat, t: arb) -> int:

@@ -20,7 +20,7 @@ from flint import arb, arb_mat
 from numerics.arithmetic.ball import Ball, as_float, exact_middle, magnitude_bits
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.linear.flow import BITS_PER_SQUARING, Motion, flow_of, motion_in, squarings
+from numerics.linear.flow import Motion, flow_of, motion_in, squarings
 from numerics.linear.model import FIRST, SLIP, STICK, TAKEN, X1, X2, Cell, Layout
 from numerics.linear.system import LinearMode, matrix, sparse
 from numerics.scene import Pair
@@ -30,6 +30,8 @@ from numerics.trajectory.comparison import as_ball
 _TERMS = 14
 """Terms of Taylor while a rate turns through 1/2: the next one is below 2^-53 of their size."""
 _SPARE_BITS = 24
+BITS_PER_SQUARING = 5
+"""What an exponential may lose each time that it is squared: entries are sums of a few products."""
 _PLACES = ((X1, Fraction(1)),), ((X2, Fraction(1)),)
 _PHASE_BITS = 384
 """For the phase of a sine where a piece begins, however many turns that is."""

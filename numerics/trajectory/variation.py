@@ -27,7 +27,7 @@ from flint import arb, arb_mat, fmpq_series
 from numerics.arithmetic.ball import Ball, Parts, ball_of, parts_of
 from numerics.arithmetic.precision import precision
 from numerics.linear.cells import cells_of, series
-from numerics.linear.flow import BITS_PER_SQUARING, motion_in, squarings
+from numerics.linear.flow import motion_in, squarings
 from numerics.linear.model import (
     FIRST,
     FRICTION,
@@ -45,6 +45,7 @@ from numerics.linear.record import Knot
 from numerics.linear.system import LinearMode, LocalNorm
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
+from numerics.trajectory.flow import BITS_PER_SQUARING
 from numerics.trajectory.trajectory import Trajectory
 
 SIGNALS = ("force", "force_2", "belt", "wall", "friction")
