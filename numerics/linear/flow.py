@@ -113,9 +113,20 @@ class Flow:
         ]
         """By how much each derivative of each guard can differ for motions of one mode whose N differs by 1."""
 
+    @cached_property
+    def entry_bits(self) -> int:
+        """Return e where no entry of A is above 2^e."""
+        largest = max(abs(one) for row in self.mode.generator() for one in row)
+        return largest.numerator.bit_length() - largest.denominator.bit_length() + 1
+
+    def squarings(self, t: arb) -> int:
+        """Return how often a time must be halved for the flow over it to be a small matrix."""
+        upper = t.abs_upper()
+        return max(0, self.entry_bits + 6 + magnitude_bits(upper)) if upper > 0 and upper.is_finite() else 0
+
     def over(self, t: arb) -> arb_mat:
         """Return exp(A t); long times are formed with more bits, since errors double with each squaring."""
-        with precision(ctx.prec + 3 * squarings(self.A, t) + 16):
+        with precision(ctx.prec + 3 * self.squarings(t) + 16):
             return (matrix(self.mode.generator()) * t).exp()
 
 
@@ -173,15 +184,16 @@ class Motion:
     def ranges(self, rows: Sequence[Row], t: arb, *orders: int) -> list[list[arb]]:
         """Return enclosures of rows over a ball of times, of each of these derivatives."""
         begin = t.lower()
-        derivatives, h = [self.at(begin)], t - begin
+        derivatives, h, found, given = [self.at(begin)], t - begin, list[list[arb]](), [in_balls(row) for row in rows]
         # further terms are sharp on a short ball, the bound by energy on a long one
-        terms = max(orders) + (2 + _FURTHER if self.flow.fastest * h < 1 else 2)
-        for k in range(1, terms + 1):
+        further = 2 + _FURTHER if self.flow.fastest * h < 1 else 2
+        for k in range(1, max(orders) + further + 1):
             derivatives.append(self.flow.A * derivatives[-1] / k)
-        *begun, last = (one.entries() for one in derivatives)
-        sizes, given = self.flow.norm.sizes(last, h.abs_upper()), map(in_balls, rows)
-        curves = [_curve([dot(row, z) for z in begun], row, sizes) for row in given]
-        return [[one.at(h, order) for one in curves] for order in orders]
+        for order in orders:
+            *begun, last = (one.entries() for one in derivatives[: order + further + 1])
+            sizes = self.flow.norm.sizes(last, h.abs_upper())
+            found.append([_curve([dot(row, z) for z in begun], row, sizes).at(h, order) for row in given])
+        return found
 
 
 def _curve(coefficients: list[arb], row: BallRow, sizes: Sequence[arb], place: int = 0) -> Curve:
@@ -193,12 +205,6 @@ def _curve(coefficients: list[arb], row: BallRow, sizes: Sequence[arb], place: i
 def motion_in(mode: LinearMode, state: Sequence[arb], t: arb) -> Motion:
     """Return the motion, for `at` and `ranges`, that starts in a mode at time t (s) with the state (x1, v1, x2, v2)."""
     return Motion(flow_of(ctx.prec, mode.pair, bool(mode.side), mode.layout, mode.cell, 1), mode.begin(state, t))
-
-
-def squarings(A: arb_mat, t: arb) -> int:
-    """Return how often a time must be halved for A t to be small."""
-    size = ((A * A.transpose()).trace() * t * t).abs_upper()
-    return max(0, 2 + magnitude_bits(size) // 2) if size.is_finite() else 0
 
 
 flow_of = lru_cache(maxsize=256)(Flow)

@@ -20,8 +20,8 @@ from flint import arb, arb_mat
 from numerics.arithmetic.ball import Ball, as_float, exact_middle, magnitude_bits
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.linear.flow import Motion, flow_of, motion_in, squarings
-from numerics.linear.model import FIRST, SLIP, STICK, TAKEN, X1, X2, Cell, Layout
+from numerics.linear.flow import Motion, flow_of, motion_in
+from numerics.linear.model import FIRST, SLIP, STICK, TAKEN, Cell, Layout
 from numerics.linear.system import LinearMode, matrix, sparse
 from numerics.scene import Pair
 from numerics.trajectory.columns import Floats
@@ -32,7 +32,7 @@ _TERMS = 14
 _SPARE_BITS = 24
 BITS_PER_SQUARING = 5
 """What an exponential may lose each time that it is squared: entries are sums of a few products."""
-_PLACES = ((X1, Fraction(1)),), ((X2, Fraction(1)),)
+_STATE = tuple(((place, Fraction(1)),) for place in range(FIRST))
 _PHASE_BITS = 384
 """For the phase of a sine where a piece begins, however many turns that is."""
 
@@ -100,7 +100,7 @@ def enclosed(
     bits = flint.ctx.prec if is_ball else mpmath.mp.prec + _SPARE_BITS
     with precision(bits):
         start, since = ([as_ball(one) for one in state], as_ball(begin)), as_ball(tau)
-        spare = 2 * mode.size * squarings(motion_in(mode, *start).flow.A, since)
+        spare = 2 * mode.size * motion_in(mode, *start).flow.squarings(since)
     with precision(bits + spare):
         found = function(motion_in(mode, *start), since)
     return tuple(+one if is_ball else arithmetic.number(exact_middle(one)) for one in found)
@@ -108,7 +108,7 @@ def enclosed(
 
 def after(motion: Motion, tau: arb) -> Sequence[arb]:
     """Return (x1, v1, x2, v2) at tau (s) after the start; for a ball at every point of it."""
-    (x1, x2), (v1, v2) = motion.ranges(_PLACES, tau, 0, 1)
+    ((x1, v1, x2, v2),) = motion.ranges(_STATE, tau, 0)
     return x1, v1, x2, v2 if motion.flow.slips else v1
 
 
@@ -118,7 +118,7 @@ def taken(motion: Motion, tau: arb) -> Sequence[arb]:
     By Van Loan's block exponential; a ball of times adds what a power may be there.
     """
     flow, begun, found = motion.flow, motion.column, [arb(0)] * len(TAKEN)
-    halved = squarings(flow.A, tau)
+    halved = flow.squarings(tau)
     short = tau.mid() / arb(2) ** halved
     for place, (one, two) in enumerate(flow.mode.rows.powers[SLIP if flow.slips else STICK].tolist()):
         if any(one) and any(two):

@@ -24,10 +24,10 @@ import flint
 import numpy as np
 from flint import arb, arb_mat, fmpq_series
 
-from numerics.arithmetic.ball import Ball, Parts, ball_of, parts_of
+from numerics.arithmetic.ball import Ball, Parts, ball_of, magnitude_bits, parts_of
 from numerics.arithmetic.precision import precision
 from numerics.linear.cells import cells_of, series
-from numerics.linear.flow import motion_in, squarings
+from numerics.linear.flow import motion_in
 from numerics.linear.model import (
     FIRST,
     FRICTION,
@@ -237,6 +237,7 @@ def _moved_rows(pair: Pair, layout: Layout, cell: Cell, name: str, place: int, l
 
 def _exponential(matrix: Array, tau: arb) -> Array:
     """Return the exponential of a matrix times a time."""
-    A = arb_mat(matrix.tolist())
-    with precision(flint.ctx.prec + BITS_PER_SQUARING * squarings(A, tau)):
-        return np.array((A * tau).exp().tolist())
+    exact = arb_mat(matrix.tolist()) * tau
+    squarings = max(0, 1 + magnitude_bits((exact * exact.transpose()).trace().mid()) // 2)
+    with precision(flint.ctx.prec + BITS_PER_SQUARING * squarings):
+        return np.array(exact.exp().tolist())
