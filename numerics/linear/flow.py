@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from flint import arb, arb_mat, arb_poly, ctx
 
-from numerics.arithmetic.ball import Ball, magnitude_bits, widened
+from numerics.arithmetic.ball import Ball, widened
 from numerics.arithmetic.precision import cached_property, precision
 from numerics.linear.model import CONSTANT, FIRST, V1, X1, X2, Cell, Layout
 from numerics.linear.system import BallRow, LinearMode, LocalNorm, Row, Z, dot, in_balls, matrix, sparse
@@ -113,20 +113,9 @@ class Flow:
         ]
         """By how much each derivative of each guard can differ for motions of one mode whose N differs by 1."""
 
-    @cached_property
-    def entry_bits(self) -> int:
-        """Return e where no entry of A is above 2^e."""
-        largest = max(abs(one) for row in self.mode.generator() for one in row)
-        return largest.numerator.bit_length() - largest.denominator.bit_length() + 1
-
-    def squarings(self, t: arb) -> int:
-        """Return how often a time must be halved for the flow over it to be a small matrix."""
-        upper = t.abs_upper()
-        return max(0, self.entry_bits + 6 + magnitude_bits(upper)) if upper > 0 and upper.is_finite() else 0
-
     def over(self, t: arb) -> arb_mat:
         """Return exp(A t); long times are formed with more bits, since errors double with each squaring."""
-        with precision(ctx.prec + 3 * self.squarings(t) + 16):
+        with precision(ctx.prec + 3 * self.mode.squarings(t) + 16):
             return (matrix(self.mode.generator()) * t).exp()
 
 
@@ -204,11 +193,11 @@ def _curve(coefficients: list[arb], row: BallRow, sizes: Sequence[arb], place: i
 
 def motion_in(mode: LinearMode, state: Sequence[arb], t: arb) -> Motion:
     """Return the motion, for `at` and `ranges`, that starts in a mode at time t (s) with the state (x1, v1, x2, v2)."""
-    return Motion(flow_of(ctx.prec, mode.pair, bool(mode.side), mode.layout, mode.cell, 1), mode.begin(state, t))
+    return Motion(_short_flow_of(ctx.prec, mode.pair, bool(mode.side), mode.layout, mode.cell, 1), mode.begin(state, t))
 
 
-flow_of = lru_cache(maxsize=256)(Flow)
-"""A flow, built once."""
+flow_of, _short_flow_of = (lru_cache(maxsize=most)(Flow) for most in (256, 4096))
+"""A flow, built once; those of one term take little room, and many precisions need them."""
 
 
 def _terms(bits: int) -> int:

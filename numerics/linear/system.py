@@ -13,7 +13,8 @@ from typing import Any
 
 from flint import arb, arb_mat
 
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball import Ball, magnitude_bits
+from numerics.arithmetic.precision import cached_property
 from numerics.linear.model import (
     CONSTANT,
     FIRST,
@@ -141,6 +142,17 @@ class LinearMode(ShortRepr):
     def generator(self) -> list[list[Fraction]]:
         """Return A, exact."""
         return [list(row) for row in self.rows.A[SLIP if self.side else STICK]]
+
+    @cached_property
+    def entry_bits(self) -> int:
+        """Return e where no entry of A is above 2^e."""
+        largest = max(abs(one) for row in self.generator() for one in row)
+        return largest.numerator.bit_length() - largest.denominator.bit_length() + 1
+
+    def squarings(self, t: arb) -> int:
+        """Return how often a time must be halved for the flow over it to be a small matrix."""
+        upper = t.abs_upper()
+        return max(0, self.entry_bits + 6 + magnitude_bits(upper)) if upper > 0 and upper.is_finite() else 0
 
     @property
     def sine_places(self) -> range:

@@ -100,7 +100,7 @@ def enclosed(
     bits = flint.ctx.prec if is_ball else mpmath.mp.prec + _SPARE_BITS
     with precision(bits):
         start, since = ([as_ball(one) for one in state], as_ball(begin)), as_ball(tau)
-        spare = 2 * mode.size * motion_in(mode, *start).flow.squarings(since)
+        spare = 2 * mode.size * mode.squarings(since)
     with precision(bits + spare):
         found = function(motion_in(mode, *start), since)
     return tuple(+one if is_ball else arithmetic.number(exact_middle(one)) for one in found)
@@ -118,7 +118,7 @@ def taken(motion: Motion, tau: arb) -> Sequence[arb]:
     By Van Loan's block exponential; a ball of times adds what a power may be there.
     """
     flow, begun, found = motion.flow, motion.column, [arb(0)] * len(TAKEN)
-    halved = flow.squarings(tau)
+    halved = flow.mode.squarings(tau)
     short = tau.mid() / arb(2) ** halved
     for place, (one, two) in enumerate(flow.mode.rows.powers[SLIP if flow.slips else STICK].tolist()):
         if any(one) and any(two):
