@@ -20,8 +20,9 @@ from flint import acb, acb_mat, arb, arb_mat
 from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.control.answers import KEPT_DIGITS, number, rounded, rounded_up
 from numerics.errors import NotSettled
+from numerics.linear.flow import Motion, motion_in
 from numerics.linear.model import V1, V2, X1
-from numerics.linear.system import LinearMode, LocalNorm, Motion
+from numerics.linear.system import LinearMode, LocalNorm
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
@@ -80,12 +81,12 @@ class PeriodicDrive(ShortRepr):
 
 def motion_of(leg: Leg) -> Motion:
     """Return the motion of a leg, with the time since its start."""
-    return leg.mode.motion(leg.state, leg.start)
+    return motion_in(leg.mode, leg.state, leg.start)
 
 
 def state_at(leg: Leg, t: arb) -> tuple[arb, arb, arb, arb]:
     """Return (x1, v1, x2, v2) of a leg at a time, s; v2 is v1 in a stick."""
-    x1, v1, x2, v2 = motion_of(leg).state(t - leg.start)
+    x1, v1, x2, v2, *_ = motion_of(leg).at(t - leg.start).entries()
     return x1, v1, x2, v2 if leg.side else v1
 
 

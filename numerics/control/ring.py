@@ -17,6 +17,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import reduce
+from itertools import chain
 from typing import NamedTuple
 
 import flint
@@ -238,7 +239,6 @@ def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate
 
 Function = Callable[[arb], tuple[arb, arb]]
 """A function of time (s) and its rate, enclosed over a ball of times."""
-_ROWS = ((0, Z), (0, W), (1, Z), (1, W))
 
 
 def _outside(parts: Sequence[Leg], start: arb, limit: arb, squared: arb, weight: arb) -> Function:
@@ -246,8 +246,7 @@ def _outside(parts: Sequence[Leg], start: arb, limit: arb, squared: arb, weight:
     motions = [(motion_of(one), start - one.start) for one in parts]
 
     def over(t: arb) -> tuple[arb, arb]:
-        stretched = [motion.over(since + t) for motion, since in motions]
-        here, *others = [[one.range(row, order) for order, row in _ROWS] for one in stretched]
+        here, *others = [[*chain(*motion.ranges((Z, W), since + t, 0, 1))] for motion, since in motions]
         for other in others:
             here = [a - b for a, b in zip(here, other, strict=True)]
         z, w, slide, change = here

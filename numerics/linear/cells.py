@@ -12,14 +12,16 @@ time all of F is scaled by b(t)/b.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise, product
-from typing import NamedTuple
+from typing import Any
+
+from flint import fmpq, fmpq_series
 
 from numerics.errors import InvalidScene
-from numerics.linear.model import AHEAD, CEILING, FLOOR, V1, V2
+from numerics.linear.model import AHEAD, CEILING, FLOOR, V1, V2, Cell
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.sine_form import SineForm
 from numerics.linear.system import LinearMode
@@ -29,14 +31,6 @@ from numerics.scene.decimals import short
 
 Line = tuple[Fraction, Fraction]
 """p + q x as (p, q)."""
-
-
-class FrictionLine(NamedTuple):
-    """F = side level b(t) + slope w + pull z, N: friction in one cell."""
-
-    slope: Fraction
-    pull: Fraction
-    level: Fraction
 
 
 Start = tuple[tuple[int, int], tuple[int, int]]
@@ -53,13 +47,13 @@ class Cells:
         """Cut B and C of a scene that has them."""
         weakening = scene.friction.weakening or Weakening()
         self.pair: Pair = scene.pair
-        points = ((Fraction(0), self.pair.b), *weakening.speed)
-        self.speeds, self.places = [w for w, _ in points], [z for z, _ in weakening.place]
-        (w, b), flat = points[-1], weakening.place or ((Fraction(0), Fraction(0)),)
-        self.by_speed: list[Line] = [*_lines(points), (b - weakening.last_slope * w, weakening.last_slope)]
-        self.by_place: list[Line] = [(flat[0][1], Fraction(0)), *_lines(flat)]
+        self.points = ((Fraction(0), self.pair.b), *weakening.speed)
+        self.flat = weakening.place or ((Fraction(0), Fraction(0)),)
+        self.speeds, self.places = [w for w, _ in self.points], [z for z, _ in weakening.place]
+        self.by_speed = [*_lines(self.points), _line(self.points[-1:], weakening.last_slope)]
+        self.by_place = [_line(self.flat[:1], Fraction(0)), *_lines(self.flat)]
         if weakening.place:
-            self.by_place.append((flat[-1][1], Fraction(0)))
+            self.by_place.append(_line(self.flat[-1:], Fraction(0)))
         varies = scene.friction.weakening is not None
         most = max([self.pair.b, *(b for _, b in scene.friction.steps)]) / self.pair.b if varies else Fraction(1)
         self.falling = most * max(Fraction(0), *(-slope for _, slope in self.by_speed))
@@ -70,45 +64,40 @@ class Cells:
         cells = list(product(range(len(self.by_speed)), range(len(self.by_place))))
         self.all = [*product((1, -1), cells), (1, (0, self.begun[1]))]
         """The cells as the kernel counts them, with the sign of the slip; the last one is the stick at the start."""
-        self._guards: dict[tuple[int, tuple[int, int]], tuple[list[tuple[int, int, Fraction]], bool]] = {}
+        self.guards = lru_cache(maxsize=None)(self._guards)
 
     def scale(self, piece: ExactPiece) -> Fraction:
         """Return b(t)/b of a piece."""
         return piece.b / self.pair.b
 
-    def branch(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> FrictionLine:
+    def branch(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> Cell:
         """Return friction in a cell, in a slip or as what holds a stick."""
         scale, (p, slope), (q, pull) = self.scale(piece), self.by_speed[cell[0]], self.by_place[cell[1]]
-        return FrictionLine(scale * slope, scale * (side or 1) * pull, (p + q) / self.pair.b)
+        return Cell(scale * slope, scale * (side or 1) * pull, (p + q) / self.pair.b)
 
     def mode(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:
         """Return a linear mode in a cell."""
         return LinearMode(self.pair, side, piece, self.branch(piece, side, cell))
 
-    def by_numbers(self, piece: ExactPiece, side: int, cell: tuple[int, int], b: str) -> dict[str, FrictionLine]:
+    def by_numbers(self, piece: ExactPiece, side: int, cell: tuple[int, int], b: str) -> dict[str, Cell]:
         """Return the derivatives of friction in a cell by the numbers in it; `b` is the name of the piece's b."""
-        (k, j), last = cell, len(self.speeds) - 1
-        found: dict[str, FrictionLine] = {}
-        (p, slope), (q, pull), scale = self.by_speed[k], self.by_place[j], self.scale(piece)
-        for n, height in _by_heights(self.speeds, (k, k + 1)):
-            name = f"weakening.speed[{n - 1}]"
-            found[f"{name}.b" if n else "b"] = FrictionLine(height[1], Fraction(0), height[0])
-            if n:  # w = 0 is no number of the scene
-                found[f"{name}.w"] = FrictionLine(-slope * height[1], Fraction(0), -slope * height[0])
-        if k == last:
-            found["weakening.last_slope"] = FrictionLine(Fraction(1), Fraction(0), -self.speeds[k])
-        for n, height in _by_heights(self.places, (j - 1, j)):
-            found[f"weakening.place[{n}].c"] = FrictionLine(Fraction(0), height[1], height[0])
-            found[f"weakening.place[{n}].z"] = FrictionLine(Fraction(0), -pull * height[1], -pull * height[0])
-        found = {
-            name: FrictionLine(scale * one, scale * side * two, three / self.pair.b)
-            for name, (one, two, three) in found.items()
-        }
-        if b != "b":
-            whole = FrictionLine(slope, side * pull, (p + q) / piece.b)
-            found[b] = FrictionLine(*(one / self.pair.b for one in whole))
-            own = found.get("b", FrictionLine(Fraction(0), Fraction(0), Fraction(0)))
-            found["b"] = FrictionLine(*(one - scale / self.pair.b * two for one, two in zip(own, whole, strict=True)))
+        (k, j), last, speed, place = cell, "weakening.last_slope", "weakening.speed[{}].{}", "weakening.place[{}].{}"
+        numbers = {"b": self.pair.b, b: piece.b, last: self.by_speed[-1][1]}
+        speeds, places, found = list[tuple[str, str]](), list[tuple[str, str]](), dict[str, Cell]()
+        for n, point in enumerate(self.points[k : k + 2], k):
+            speeds.append((speed.format(n - 1, "w"), speed.format(n - 1, "b") if n else "b"))
+            numbers |= zip(speeds[-1], point, strict=True)
+        for n in range(max(j - 1, 0), min(j + 1, len(self.flat))):
+            places.append((place.format(n, "z"), place.format(n, "c")))
+            numbers |= zip(places[-1], self.flat[n], strict=True)
+        for name in numbers:
+            at = {key: series(one, key == name) for key, one in numbers.items()}
+            p, slope = _line([(at[x], at[y]) for x, y in speeds], at[last])
+            q, pull = _line([(at[x], at[y]) for x, y in places], 0)
+            scale = at[b] / at["b"]
+            moved = ((scale * one)[1] for one in (slope, side * pull, p + q))
+            slope, pull, level = (Fraction(int(one.p), int(one.q)) for one in moved)
+            found[name] = Cell(slope, pull, level / piece.b)
         return found
 
     def place_line(self, z: float | Fraction, side: int = 1) -> int:
@@ -121,18 +110,16 @@ class Cells:
         above = self.speeds[k + 1] if k + 1 < len(self.speeds) else None
         return self.speeds[k], above, self.places[j - 1] if j else None, self.places[j] if j < last else None
 
-    def guards(self, side: int, cell: tuple[int, int]) -> tuple[list[tuple[int, int, Fraction]], bool]:
+    def _guards(self, side: int, cell: tuple[int, int]) -> tuple[list[tuple[int, int, Fraction]], bool]:
         """Return kind, sign and offset of the guards of a slip in a cell, and whether friction may vanish within."""
-        if (side, cell) not in self._guards:
-            low, high, *sides = self.ends(cell)
-            ends = (low, side), (high, -side), (sides[side > 0], -side)
-            at = [
-                (kind, sign, -sign * end * (1 if kind == AHEAD else side))
-                for kind, (end, sign) in enumerate(ends)
-                if end is not None
-            ]
-            self._guards[side, cell] = at, self.limit(cell) is not None
-        return self._guards[side, cell]
+        low, high, *sides = self.ends(cell)
+        ends = (low, side), (high, -side), (sides[side > 0], -side)
+        at = [
+            (kind, sign, -sign * end * (1 if kind == AHEAD else side))
+            for kind, (end, sign) in enumerate(ends)
+            if end is not None
+        ]
+        return at, self.limit(cell) is not None
 
     def limit(self, cell: tuple[int, int]) -> Fraction | None:
         """Return the |w| of a cell up to which B + C > 0 at all its places; None where it is positive everywhere."""
@@ -191,14 +178,6 @@ def cells_of(scene: Scene) -> Cells | None:
     return None if scene.friction.weakening is None else Cells(scene)
 
 
-def _by_heights(at: Sequence[Fraction], ends: Sequence[int]) -> Iterator[tuple[int, Line]]:
-    """Yield of those ends of an interval that there are the derivative of the line between them by its height."""
-    kept = [n for n in ends if 0 <= n < len(at)]
-    for n, other in zip(kept, reversed(kept), strict=True):
-        slope = Fraction(0) if n == other else 1 / (at[n] - at[other])
-        yield n, (1 - slope * at[n], slope)
-
-
 def mode_in(scene: Scene, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:
     """Return the linear mode `side` of any scene in a piece, and in a cell where it has any."""
     cells = cells_of(scene)
@@ -213,5 +192,17 @@ def first_mode(scene: Scene, piece: ExactPiece, side: int) -> LinearMode:
 
 def _lines(points: Sequence[tuple[Fraction, Fraction]]) -> list[Line]:
     """Return the lines between neighbouring points."""
-    slopes = [((y2 - y1) / (x2 - x1), x1, y1) for (x1, y1), (x2, y2) in pairwise(points)]
-    return [(y - slope * x, slope) for slope, x, y in slopes]
+    return [_line(pair, 0) for pair in pairwise(points)]
+
+
+def _line(points: Sequence[tuple[Any, Any]], slope: Any) -> tuple[Any, Any]:
+    """Return the line through two points, or through one with a slope."""
+    (x, y), *others = points
+    for x2, y2 in others:
+        slope = (y2 - y) / (x2 - x)
+    return y - slope * x, slope
+
+
+def series(value: Fraction, slope: Fraction | int) -> fmpq_series:
+    """Return value + slope e as a power series in e, cut after e: what is computed of it is differentiated."""
+    return fmpq_series([fmpq(one.numerator, one.denominator) for one in (value, slope)], prec=2)

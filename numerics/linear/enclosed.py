@@ -16,7 +16,7 @@ from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided
 from numerics.linear.cells import VANISHES
 from numerics.linear.exact_start import ExactKnot, exact_knots
-from numerics.linear.flow import Expansion
+from numerics.linear.flow import Motion
 from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, WALL, X1, X2
 from numerics.linear.next_enclosed import CLEAR, SHY, Root, next_event, short_step, slow_curves
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
@@ -148,7 +148,7 @@ class EnclosedRun(EnclosedPath):
             if self.kept > 0:
                 order = 1
             else:
-                bend = -Expansion(flow, z, arb(0)).guards()[root.guard.row].polynomial[1] * kappa * kappa
+                bend = -Motion(flow, z).guards()[root.guard.row].polynomial[1] * kappa * kappa
                 if not bend > 0:
                     raise self.undecided(at)
                 # where the load is not quite b, the slip starts a little later than here
@@ -265,21 +265,18 @@ class EnclosedRun(EnclosedPath):
     def begin(self, knot: ExactKnot) -> At:
         """Return an exact knot as a point; the motion starts within its rounding."""
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
-        at = At(knot.mode, (knot.order, 0), knot.piece, local, state, zero, zero, zero, zero)
+        at = At(knot.mode, knot.orders, knot.piece, local, state, zero, zero, zero, zero, knot.cell)
         piece, v1 = self.pieces[knot.piece], knot.state[V1].rational
         stretch = (knot.state[X1] - signal_form(piece, WALL, knot.local)).rational
         if knot.mode and self.is_closed(at) and stretch is not None and v1 is not None:
             at = self.on_circle(at, stretch, v1)
         if self.varies:
-            cell, orders = self.cells.start(piece, knot.mode, knot.local, knot.state, knot.order)
-            apart = None if knot.mode else (knot.state[X1] - knot.state[X2]).rational
-            at = at._replace(cell=cell, orders=orders, apart=apart)
+            at = at._replace(apart=None if knot.mode else (knot.state[X1] - knot.state[X2]).rational)
             if knot.mode and not self.arithmetic.number(0).is_zero():  # a box of starts
                 self.interval(at, state)
         start = local.lower()
         if knot.local:  # a time that is rounded, by as much before the knot
-            flow, z = self.here(at)
-            state = Expansion(flow, z, (start - local).abs_upper()).state(start - local)
+            state = Motion(*self.here(at)).state(start - local)
         return self.settled(at, state, zero)._replace(local=start)
 
     def exactly(self, knot: ExactKnot) -> list[arb]:

@@ -20,7 +20,6 @@ from numerics.linear.cells import Cells, cells_of
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.ledger import TINY, ledger
-from numerics.linear.pieces import ExactPiece
 from numerics.linear.prepare import Prepared, halves, prepare, rounded
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
 from numerics.linear.room import space_for
@@ -132,10 +131,8 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | N
     rows, units = np.zeros((len(known), ROW)), prepared.units
     times, speed = [prepared.pieces[one.piece].start + one.local for one in known], units.of(length=1, time=-1)
     for row, one, t, before in zip(rows, known, times, [times[0], *times], strict=False):
-        cell, order = 0, one.order
-        if cells is not None:
-            cell, order = _begun(cells, prepared.pieces[one.piece], one)
-        row[: len(CODES)] = one.mode, order, one.is_event, one.is_jump, one.piece, cell
+        cell, (floor, ceiling) = 0 if cells is None else _begun(cells, one), one.orders
+        row[: len(CODES)] = one.mode, floor or -ceiling, one.is_event, one.is_jump, one.piece, cell
         row[AT["local"] : AT["length"]] = halves(one.local, units.time)
         row[AT["length"]] = rounded(t - before, units.time)
         state = (form.rounded(256) for form in one.state)
@@ -146,18 +143,11 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | N
     return rows
 
 
-def _begun(cells: Cells, piece: ExactPiece, knot: ExactKnot) -> tuple[int, int]:
-    """Return where in `all` the cell of an exact knot is, and the order of its guard; < 0: of the end above it.
-
-    Raises OutOfRange if friction may vanish there.
-    """
-    found, order, begun = len(cells.all) - 1, knot.order, [(0, j) for j in cells.begun]
-    if knot.mode:
-        cell, (floor, ceiling) = cells.start(piece, knot.mode, knot.local, knot.state, order)
-        found, order, begun = cells.all.index((knot.mode, cell)), floor or -ceiling, [cell]
-    if not all(map(cells.is_open, begun)):
+def _begun(cells: Cells, knot: ExactKnot) -> int:
+    """Return where in `all` the cell of an exact knot is. Raises OutOfRange if friction may vanish there."""
+    if not all(map(cells.is_open, [knot.cell] if knot.mode else [(0, j) for j in cells.begun])):
         raise OutOfRange('friction may vanish in the cell in which this run begins; use arithmetic="ball"')
-    return found, order
+    return cells.all.index((knot.mode, knot.cell)) if knot.mode else len(cells.all) - 1
 
 
 def _require_answer(how: int, prepared: Prepared, end: NDArray[np.float64]) -> None:

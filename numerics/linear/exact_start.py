@@ -13,7 +13,7 @@ from fractions import Fraction
 from math import factorial
 from typing import NamedTuple
 
-from numerics.linear.cells import cells_of, first_mode
+from numerics.linear.cells import PLAIN, cells_of, first_mode
 from numerics.linear.model import BELT, FIRST, V1, V2, X1
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of
@@ -30,7 +30,7 @@ class ExactKnot(NamedTuple):
     """The start of a segment, exact: where in which piece, the state, what follows, and why.
 
     `mode` follows with `order` derivatives of its guard vanishing; up to `quiet`, a time in the piece (s), it does
-    not end.
+    not end. Where friction depends on the state it begins in a `cell`, with so many of the guards of that (cells.py).
     """
 
     piece: int
@@ -42,6 +42,8 @@ class ExactKnot(NamedTuple):
     is_event: bool
     is_jump: bool
     quiet: Fraction
+    cell: tuple[int, int] = PLAIN
+    orders: tuple[int, int] = (0, 0)
 
     @property
     def gap(self) -> SineForm:
@@ -58,14 +60,15 @@ def exact_knots(scene: Scene, pieces: Sequence[ExactPiece]) -> list[ExactKnot]:
     state, side = (x1, v1, x2, v2), (v1 - v2).sign()
     knot = ExactKnot(0, Fraction(0), state, side, 0, False, True, Fraction(0))
     if side == 0:
-        if cells is not None:
-            cells.start(pieces[0], 0, knot.local, state, 0)  # raises where friction vanishes
         knot = _decided(scene, pieces, knot)._replace(is_event=False)
     after: ExactKnot | None = knot
     found: list[ExactKnot] = []
     while after is not None:
+        cell, orders = PLAIN, (after.order, 0)
+        if cells is not None:
+            cell, orders = cells.start(pieces[after.piece], after.mode, after.local, after.state, after.order)
         quiet, follows = _followed(scene, pieces, after)
-        found.append(after._replace(quiet=quiet))
+        found.append(after._replace(quiet=quiet, cell=cell, orders=orders))
         after = follows
     return found
 

@@ -220,9 +220,15 @@ def put_signals(blocks: Any, omegas: Any, A: Any, signals: Any) -> None:
             A[STICK, k, k + 1] += 1
 
 
-Cell = tuple[Fraction, Fraction, Fraction]
-"""Slope, pull and level of the friction of a slip (put_rows)."""
-CONSTANT: Cell = (Fraction(0), Fraction(0), Fraction(1))
+class Cell(NamedTuple):
+    """Friction of a slip s is s level b(t) + slope w + pull z, N (put_rows)."""
+
+    slope: Any
+    pull: Any
+    level: Any
+
+
+CONSTANT = Cell(Fraction(0), Fraction(0), Fraction(1))
 
 
 @lru_cache(maxsize=256)

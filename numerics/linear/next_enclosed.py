@@ -21,7 +21,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
 from numerics.linear.cells import VANISHES
-from numerics.linear.flow import REACH, Curve, Expansion
+from numerics.linear.flow import REACH, Curve, Motion
 from numerics.linear.model import AHEAD
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.swings import Swings
@@ -54,7 +54,7 @@ class Root(NamedTuple):
     `window` and `late` bound how far off that is for the path and for the true motion, `value` the guard there.
     """
 
-    motion: Expansion
+    motion: Motion
     guard: Curve
     local: arb
     tau: arb

@@ -26,10 +26,10 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
-from numerics.linear.flow import Expansion, Flow, flow_of
+from numerics.linear.flow import Flow, Motion, flow_of
 from numerics.linear.model import BELT, FRICTION, V1, V2, WALL, X1, X2
 from numerics.linear.pieces import pieces_of, polynomial_at
-from numerics.linear.system import BallDrive, LinearMode, LocalNorm, Motion, dot
+from numerics.linear.system import BallDrive, LinearMode, LocalNorm, dot
 from numerics.scene import Law, Scene
 
 AWAY = (0, 0)
@@ -76,7 +76,7 @@ class EnclosedPath:
         """`varies`: friction depends on the state; else it has one cell."""
         self.acting: tuple[int, BallDrive, dict[object, Flow]] = 0, BallDrive(self.pieces[0]), {}
         """The piece in which the path is, its signals, its flows."""
-        self.expanded: tuple[At, Expansion] | None = None
+        self.moving: tuple[At, Motion] | None = None
         number, norm = Ball.number, LocalNorm(LinearMode(scene.pair, 1, self.pieces[0]))
         self.norm, self.kappa, self.is_fixed = norm, norm.kappa, norm.is_fixed
         self.speeds = 1 / norm.root_m1, arb(0) if self.is_fixed else 1 / norm.root_m2
@@ -109,12 +109,11 @@ class EnclosedPath:
             z[V1] = z[V1] if at.mode else z[V2]
         return flow, z
 
-    def motion(self, at: At) -> Expansion:
-        """Return the polynomials from a point on, up to twice their reach."""
-        if self.expanded is None or self.expanded[0] is not at:
-            flow, z = self.here(at)
-            self.expanded = at, Expansion(flow, z, 2 * flow.reach)
-        return self.expanded[1]
+    def motion(self, at: At) -> Motion:
+        """Return the motion from a point on."""
+        if self.moving is None or self.moving[0] is not at:
+            self.moving = at, Motion(*self.here(at))
+        return self.moving[1]
 
     def is_closed(self, at: At) -> bool:
         """Return whether body 1 swings on its spring alone: no damper, ground or a belt, signals that are constants.
@@ -230,7 +229,7 @@ class EnclosedPath:
         stiff, rate = -flow.A[V1, X1], -flow.A[V1, V1]
         if not (rate * t > 1 and stiff * t > rate):
             return at.norm
-        exp = Motion(flow.mode, flow.A, flow.A).flow(t)
+        exp = flow.over(t)
         # the greatest singular value of a matrix from the sum of its squares and its determinant
         entries = exp[X1, X1], exp[V1, V1], exp[V1, X1] / stiff.sqrt(), exp[X1, V1] * stiff.sqrt()
         square = sum((one * one for one in entries), arb(0))  # a power of a ball so near 0 is no number

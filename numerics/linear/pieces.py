@@ -94,9 +94,9 @@ def polynomial_at(terms: Sequence[Number], t: Number, order: int = 0) -> Number:
     return value
 
 
-def particular(polynomial: Sequence[Fraction], mass: Fraction, a1: Fraction, a2: Fraction) -> list[Fraction]:
-    """Return the polynomial x (m) with mass x'' + a1 x' + a2 x = polynomial (N)."""
-    found = [Fraction(0)] * (len(polynomial) + 2)
+def particular(polynomial: Sequence[Number], mass: Number, a1: Number, a2: Number) -> list[Number]:
+    """Return the polynomial x with mass x'' + a1 x' + a2 x = polynomial."""
+    found = [0 * a2] * (len(polynomial) + 2)
     for k in reversed(range(len(polynomial))):
         pull = a1 * (k + 1) * found[k + 1] + mass * (k + 1) * (k + 2) * found[k + 2]
         found[k] = (polynomial[k] - pull) / a2

@@ -14,6 +14,7 @@ from flint import acb, arb, arb_poly
 
 from numerics.linear.flow import BEND, FEW, Curve, Flow
 from numerics.linear.model import FIRST, V1, V2, X1
+from numerics.linear.pieces import particular
 from numerics.linear.system import BallRow, length
 
 _I = acb(0, 1)
@@ -24,14 +25,15 @@ class Swings:
 
     def __init__(self, flow: Flow, z: Sequence[arb]) -> None:
         """Form them; what has no such form, a resonance or double rates, is left with infinite numbers."""
-        self.rates = [acb(0, omega) for omega in flow.turns]
+        places = flow.mode.sine_places
+        self.rates = [acb(0, flow.generator[place][0][1]) for place in places]
         self.curves: dict[int, arb_poly] = {}
         self.terms: dict[int, dict[int, acb]] = {}
         for block in flow.norm.blocks:
             for k in block:
                 terms = [z[m] / math.factorial(m - k) for m in range(k, block.stop)]
                 self.curves[k], self.terms[k] = arb_poly(terms), {}
-        for n, k in enumerate(flow.places):
+        for n, k in enumerate(places):
             turned = acb(z[k + 1], z[k])
             self.curves[k] = self.curves[k + 1] = arb_poly([])
             self.terms[k], self.terms[k + 1] = {n: -_I * turned}, {n: turned}
@@ -50,10 +52,7 @@ class Swings:
 
     def swing(self, k: arb, r: arb, push: arb_poly, pushes: dict[int, acb], z: Sequence[arb]) -> None:
         """Form body 1, of which x'' + r x' + k x is what pushes it."""
-        found: list[arb] = [arb(0), arb(0)]
-        for n, c in reversed(list(enumerate(push.coeffs()))):
-            found.insert(0, (c - r * (n + 1) * found[0] - (n + 1) * (n + 2) * found[1]) / k)
-        x = arb_poly(found)
+        x = arb_poly(particular(push.coeffs(), arb(1), r, k))
         steady = {n: c / (k + self.rates[n] * (self.rates[n] + r)) for n, c in pushes.items()}
         y, w = z[X1] - x(0) - _now(steady), z[V1] - x.derivative()(0) - _now(self.derived(steady))
         count, curves = len(self.rates), [x, x.derivative(), x.derivative().derivative()]

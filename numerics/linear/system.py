@@ -1,7 +1,6 @@
-"""One mode under one piece of the signals, z' = A z in balls: its matrices, its norm, its flow by exp(A t).
+"""One mode under one piece of the signals, z' = A z: its exact matrices, z in balls, the norm of differences.
 
-z and A are those of model.py; in a slip s the block of b in z is multiplied by s. A is exact, resonance is no special
-case, and a flow over a ball of times encloses the flow at each of them.
+z and A are those of model.py; in a slip s the block of b in z is multiplied by s. Resonance is no special case.
 """
 
 from __future__ import annotations
@@ -12,10 +11,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from flint import arb, arb_mat, ctx
+from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, magnitude_bits
-from numerics.arithmetic.precision import cached_property, precision
+from numerics.arithmetic.precision import cached_property
 from numerics.linear.model import (
     CONSTANT,
     FIRST,
@@ -45,8 +44,6 @@ W: Row = ((V1, Fraction(1)), (V2, Fraction(-1)))
 Z: Row = ((X1, Fraction(1)), (X2, Fraction(-1)))
 """The relative velocity w = v1 - v2, and x1 - x2."""
 BallRow = Sequence[tuple[int, arb]]
-_FURTHER = 4
-"""Further terms of Taylor in a bound on a remainder."""
 
 
 def sparse(row: Iterable[Any]) -> Row:
@@ -147,15 +144,15 @@ class LinearMode(ShortRepr):
         return [list(row) for row in self.rows.A[SLIP if self.side else STICK]]
 
     @cached_property
-    def norm(self) -> LocalNorm:
-        """Return N of the mode, for bounds: its balls have the precision of the first use."""
-        return LocalNorm(self)
-
-    @cached_property
     def entry_bits(self) -> int:
         """Return e where no entry of A is above 2^e."""
         largest = max(abs(one) for row in self.generator() for one in row)
         return largest.numerator.bit_length() - largest.denominator.bit_length() + 1
+
+    def squarings(self, t: arb) -> int:
+        """Return how often a time must be halved for the flow over it to be a small matrix."""
+        upper = t.abs_upper()
+        return max(0, self.entry_bits + 6 + magnitude_bits(upper)) if upper > 0 and upper.is_finite() else 0
 
     @property
     def sine_places(self) -> range:
@@ -170,71 +167,6 @@ class LinearMode(ShortRepr):
     def begin(self, state: Sequence[arb], t: arb) -> list[arb]:
         """Return z at time t (s), where (x1, v1, x2, v2) is a state."""
         return [*state, *BallDrive(self.piece).at(t - Ball.number(self.piece.start), self.side)]
-
-    def motion(self, state: Sequence[arb], t: arb) -> Motion:
-        """Return the motion that starts at time t (s) with the state (x1, v1, x2, v2)."""
-        return Motion(self, matrix(self.generator()), arb_mat(self.size, 1, self.begin(state, t)))
-
-
-@dataclass(frozen=True)
-class Motion:
-    """z(t) = exp(A t) z(0), t (s) from the start of the motion; everything enclosed."""
-
-    mode: LinearMode
-    matrix: arb_mat
-    begin: arb_mat
-
-    def flow(self, t: arb) -> arb_mat:
-        """Return exp(A t); long times are formed with more bits, since errors double with each squaring."""
-        squarings = max(0, self.mode.entry_bits + 3 + magnitude_bits(t.abs_upper()))
-        with precision(ctx.prec + 3 * squarings + 16):
-            return (matrix(self.mode.generator()) * t).exp()
-
-    def at(self, t: arb) -> arb_mat:
-        """Return z(t)."""
-        return self.flow(t) * self.begin
-
-    def state(self, t: arb) -> tuple[arb, arb, arb, arb]:
-        """Return (x1, v1, x2, v2) at t."""
-        z = self.at(t)
-        return z[X1, 0], z[V1, 0], z[X2, 0], z[V2, 0]
-
-    def rate(self, z: arb_mat) -> arb_mat:
-        """Return z' = A z."""
-        return self.matrix * z
-
-    def over(self, t: arb) -> Stretched:
-        """Return the motion over a ball of times, for the ranges of rows and of their derivatives."""
-        begin = t.lower()
-        return Stretched(self, self.at(begin), t - begin)
-
-
-class Stretched:
-    """A motion over a ball of times: z where it begins, and enclosures of derivatives of rows over the whole of it.
-
-    The remainder is bounded by N of a derivative (LocalNorm), not by exp(A h): a light body 1, whose own rates are
-    large, then costs no finer parts for ever.
-    """
-
-    def __init__(self, motion: Motion, begin: arb_mat, h: arb) -> None:
-        """Keep z where the ball begins; `h` is the ball of times, counted from there."""
-        self.motion, self.norm, self.h, self.derivatives = motion, motion.mode.norm, h, [begin]
-
-    def derivative(self, order: int) -> arb_mat:
-        """Return the order-th derivative of z where the ball begins."""
-        while len(self.derivatives) <= order:
-            self.derivatives.append(self.motion.rate(self.derivatives[-1]))
-        return self.derivatives[order]
-
-    def range(self, row: Row, order: int = 0) -> arb:
-        """Return an enclosure of the order-th derivative of a row over the ball of times: by Taylor's theorem."""
-        terms, further = 2, _FURTHER if self.norm.fastest * self.h < 1 else 0
-        sizes = self.norm.sizes(self.derivative(order + terms + further).entries(), abs(self.h).upper())
-        found = sum((Ball.number(c) * arb(0, sizes[place]) for place, c in row), arb(0))
-        # further terms are sharp on a short ball, the bound by energy on a long one
-        for k in range(terms + further, 0, -1):
-            found = value(row, self.derivative(order + k - 1)) + found * (self.h / k)
-        return found
 
 
 class LocalNorm:
@@ -326,9 +258,14 @@ def dot(row: BallRow, z: Sequence[arb]) -> arb:
     return sum((c * z[place] for place, c in row), arb(0))
 
 
-def value(row: Row, z: arb_mat) -> arb:
-    """Return the value of a linear function of z."""
-    return dot([(place, Ball.number(c)) for place, c in row], z.entries())
+def in_balls(row: Row) -> BallRow:
+    """Return a row with factors in balls."""
+    return [(place, Ball.number(c)) for place, c in row]
+
+
+def value(row: Row, z: Sequence[arb]) -> arb:
+    """Return the value of an exact row."""
+    return dot(in_balls(row), z)
 
 
 def matrix(rows: Sequence[Sequence[Fraction]]) -> arb_mat:

@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 import numpy as np
-from flint import arb, arb_mat
+from flint import arb
 
 from numerics.arithmetic.ball import Ball, as_float
 from numerics.arithmetic.protocol import Number
@@ -26,7 +26,7 @@ from numerics.linear.system import value
 from numerics.scene import Signal
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import STATE, Array, Counts
-from numerics.trajectory.flow import Moving
+from numerics.trajectory.flow import enclosed, taken
 from numerics.trajectory.rows import Rows
 
 if TYPE_CHECKING:
@@ -169,7 +169,7 @@ def _enclosed(run: Rows, row: int) -> Sequence[arb]:
     errors = (run.row_column(f"{name}_error")[row] for name in STATE)
     with _LONG.context():
         start = [arb(float(x[row]), float(off)) for x, off in zip(state, errors, strict=True)]
-        return Moving(_LONG, run.row_mode(row), start, begun).taken(arb(float(length[row + 1])))
+        return enclosed(_LONG, run.row_mode(row), start, begun, arb(float(length[row + 1])), taken)
 
 
 def energy_of(run: Rows, t: Array, y: Array, rows: Counts | None = None) -> Array:
@@ -198,7 +198,7 @@ def wall_of(run: Rows, rows: Counts, t: Array) -> Array:
         else:
             mode = run.row_mode(row)
             z = mode.begin(run.row_states[:, row].tolist(), time)
-            found.append(value(mode.signal(WALL), arb_mat(mode.size, 1, z)))
+            found.append(value(mode.signal(WALL), z))
     return np.array([found])
 
 

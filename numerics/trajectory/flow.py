@@ -20,8 +20,9 @@ from flint import arb, arb_mat
 from numerics.arithmetic.ball import Ball, as_float, exact_middle, magnitude_bits
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.linear.flow import Motion, flow_of, motion_in
 from numerics.linear.model import FIRST, SLIP, STICK, TAKEN, Cell, Layout
-from numerics.linear.system import LinearMode, LocalNorm, Motion, matrix, sparse
+from numerics.linear.system import LinearMode, matrix, sparse
 from numerics.scene import Pair
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.comparison import as_ball
@@ -29,8 +30,8 @@ from numerics.trajectory.comparison import as_ball
 _TERMS = 14
 """Terms of Taylor while a rate turns through 1/2: the next one is below 2^-53 of their size."""
 _SPARE_BITS = 24
-_BITS_PER_DOUBLING = 5
-"""What a flow may lose each time that it is squared."""
+BITS_PER_SQUARING = 5
+"""What an exponential may lose each time that it is squared: entries are sums of a few products."""
 _STATE = tuple(((place, Fraction(1)),) for place in range(FIRST))
 _PHASE_BITS = 384
 """For the phase of a sine where a piece begins, however many turns that is."""
@@ -42,16 +43,16 @@ class Steps:
 
     def __init__(self, pair: Pair, layout: Layout, slips: bool, cell: Cell, top: int) -> None:
         """Form exp(A h 2^k) in balls."""
-        mode = LinearMode.like(pair, int(slips), layout, cell)
         with precision(64):
-            fastest = LocalNorm(mode).fastest.upper()
+            given = flow_of(64, pair, slips, layout, cell, 1)
+            mode, fastest = given.mode, given.norm.fastest.upper()
         shortest = min(top, -1 - magnitude_bits(fastest)) if fastest > 0 else top
         unit, self.h = Fraction(2) ** shortest, np.ldexp(1.0, shortest)
         self.taylor = np.array([[float(one * unit) for one in row] for row in mode.generator()])
         largest = max(0, int(np.frexp(np.abs(self.taylor).max())[1]))
         self.longer: list[Floats] = []
-        with precision(144 + _BITS_PER_DOUBLING * (top - shortest) + 2 * largest):
-            flow = (matrix(mode.generator()) * (arb(2) ** shortest)).exp()
+        with precision(144 + BITS_PER_SQUARING * (top - shortest) + 2 * largest):
+            flow = given.over(arb(2) ** shortest)
             for _ in range(top - shortest):
                 self.longer.append(np.array([*map(as_float, (flow - 1).entries())]).reshape(mode.size, mode.size))
                 flow = flow * flow
@@ -82,56 +83,55 @@ def signals_of(mode: LinearMode) -> Floats:
 
 
 # ------------------------------------------------------------------ in the other arithmetics
-class Moving:
-    """One motion, enclosed: from a state (m, m/s) at a time of the run (s), in a mode."""
+def enclosed(
+    arithmetic: Arithmetic,
+    mode: LinearMode,
+    state: Sequence[Number],
+    begin: Number,
+    tau: Number,
+    function: Callable[[Motion, arb], Sequence[arb]],
+) -> tuple[Number, ...]:
+    """Return a function of a motion, from a state (m, m/s) at a time of the run (s), and of tau (s) since; in context.
 
-    def __init__(self, arithmetic: Arithmetic, mode: LinearMode, state: Sequence[Number], begin: Number) -> None:
-        """Keep where it begins; to be used in the arithmetic's context."""
-        self.arithmetic, self.mode, self.is_ball = arithmetic, mode, arithmetic.name == "ball"
-        self.bits = flint.ctx.prec if self.is_ball else mpmath.mp.prec + _SPARE_BITS
-        with precision(self.bits):
-            self.start = [as_ball(one) for one in state], as_ball(begin)
+    It is computed with the bits that squarings may lose: a power of the time, as in the derivatives of a force of high
+    degree, may lose them as often as it is high.
+    """
+    is_ball = arithmetic.name == "ball"
+    bits = flint.ctx.prec if is_ball else mpmath.mp.prec + _SPARE_BITS
+    with precision(bits):
+        start, since = ([as_ball(one) for one in state], as_ball(begin)), as_ball(tau)
+        spare = 2 * mode.size * mode.squarings(since)
+    with precision(bits + spare):
+        found = function(motion_in(mode, *start), since)
+    return tuple(+one if is_ball else arithmetic.number(exact_middle(one)) for one in found)
 
-    def after(self, tau: Number) -> tuple[Number, ...]:
-        """Return (x1, v1, x2, v2) at tau (s) after the start; for balls at every point of tau."""
-        return self._enclosed(self._state, tau)
 
-    def taken(self, tau: Number) -> tuple[Number, ...]:
-        """Return what is TAKEN up to tau (s) after the start, J; enclosures for balls."""
-        return self._enclosed(self._taken, tau)
+def after(motion: Motion, tau: arb) -> Sequence[arb]:
+    """Return (x1, v1, x2, v2) at tau (s) after the start; for a ball at every point of it."""
+    ((x1, v1, x2, v2),) = motion.ranges(_STATE, tau, 0)
+    return x1, v1, x2, v2 if motion.flow.slips else v1
 
-    def _enclosed(self, function: Callable[[Motion, arb], Sequence[arb]], tau: Number) -> tuple[Number, ...]:
-        """Return a function of the motion and of a time after its start, with the bits that squarings may lose.
 
-        A power of the time, as in the derivatives of a force of high degree, may lose them as often as it is high.
-        """
-        with precision(self.bits):
-            since = as_ball(tau)
-        with precision(self.bits + 2 * self.mode.size * halvings(self.mode, since)):
-            found = function(self.mode.motion(*self.start), since)
-        return tuple(+one if self.is_ball else self.arithmetic.number(exact_middle(one)) for one in found)
+def taken(motion: Motion, tau: arb) -> Sequence[arb]:
+    """Return what is TAKEN up to tau (s) after the start, J.
 
-    def _state(self, motion: Motion, tau: arb) -> Sequence[arb]:
-        over = motion.over(tau)
-        x1, v1, x2, v2 = (over.range(row) for row in _STATE)
-        return x1, v1, x2, v2 if self.mode.side else v1
-
-    def _taken(self, motion: Motion, tau: arb) -> Sequence[arb]:
-        """Return the integrals by Van Loan's block exponential; a ball of times adds what a power may be there."""
-        mode, over, found = self.mode, motion.over(tau), [arb(0)] * len(TAKEN)
-        halved = halvings(mode, tau)
-        short = tau.mid() / arb(2) ** halved
-        for place, (one, two) in enumerate(mode.rows.powers[SLIP if mode.side else STICK].tolist()):
-            if any(one) and any(two):
-                form = matrix([one]).transpose() * matrix([two])
-                # symmetric, which balls bound more sharply
-                flow, total = _van_loan(motion.matrix, short, (form + form.transpose()) / 2)
-                for _ in range(halved):
-                    total += flow.transpose() * total * flow
-                    flow = flow * flow
-                middle = (motion.begin.transpose() * total * motion.begin)[0, 0]
-                found[place] = middle + tau.rad() * arb(0, 1) * over.range(sparse(one)) * over.range(sparse(two))
-        return found
+    By Van Loan's block exponential; a ball of times adds what a power may be there.
+    """
+    flow, begun, found = motion.flow, motion.column, [arb(0)] * len(TAKEN)
+    halved = flow.mode.squarings(tau)
+    short = tau.mid() / arb(2) ** halved
+    for place, (one, two) in enumerate(flow.mode.rows.powers[SLIP if flow.slips else STICK].tolist()):
+        if any(one) and any(two):
+            form = matrix([one]).transpose() * matrix([two])
+            # symmetric, which balls bound more sharply
+            ahead, total = _van_loan(flow.A, short, (form + form.transpose()) / 2)
+            for _ in range(halved):
+                total += ahead.transpose() * total * ahead
+                ahead = ahead * ahead
+            (factors,) = motion.ranges((sparse(one), sparse(two)), tau, 0)
+            power = tau.rad() * arb(0, 1) * factors[0] * factors[1]
+            found[place] = (begun.transpose() * total * begun)[0, 0] + power
+    return found
 
 
 def _van_loan(A: arb_mat, tau: arb, Q: arb_mat) -> tuple[arb_mat, arb_mat]:
@@ -141,9 +141,3 @@ def _van_loan(A: arb_mat, tau: arb, Q: arb_mat) -> tuple[arb_mat, arb_mat]:
     block = (arb_mat([*above, *([*nothing, *one] for one in A.tolist())]) * tau).exp().tolist()
     flow = arb_mat([row[n:] for row in block[n:]])
     return flow, flow.transpose() * arb_mat([row[n:] for row in block[:n]])
-
-
-def halvings(mode: LinearMode, tau: arb) -> int:
-    """Return how often a time must be halved for the flow over it to be a small matrix."""
-    upper = abs(tau).upper()
-    return max(0, mode.entry_bits + 6 + magnitude_bits(upper)) if upper > 0 and upper.is_finite() else 0

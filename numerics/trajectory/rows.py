@@ -16,6 +16,7 @@ from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
 from numerics.linear.cells import Cells, mode_in
+from numerics.linear.flow import Motion
 from numerics.linear.model import CONSTANT, EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
 from numerics.linear.modes import Mode
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
@@ -25,7 +26,7 @@ from numerics.scene import Scene
 from numerics.scene.decimals import require_one_of
 from numerics.trajectory.answer import Answer, Side
 from numerics.trajectory.columns import STATE, Array, Counts, Floats, Moment
-from numerics.trajectory.flow import Moving, signals_of, steps_of
+from numerics.trajectory.flow import after, enclosed, signals_of, steps_of, taken
 
 if TYPE_CHECKING:
     from numerics.scene.decimals import Quantity, Times
@@ -241,23 +242,23 @@ class Rows(Answer[Mode]):
         """Return the linear mode in which a row begins."""
         return self._modes[0][self._modes[1][row]]
 
-    def _motions(self, rows: Counts, since: Array, function: Callable[[Moving, Any], Any]) -> Array:
+    def _motions(self, rows: Counts, since: Array, function: Callable[[Motion, Any], Any]) -> Array:
         """Return a function of the motions after rows, and of times (s) after their starts; not for binary64."""
         found = []
         for row, tau in zip(rows, since, strict=True):
             at = self.row_states[:, row].tolist(), self.row_times[row]
-            found.append(function(Moving(self.arithmetic, self.row_mode(row), *at), tau))
+            found.append(enclosed(self.arithmetic, self.row_mode(row), *at, tau, function))
         return _columns(found)
 
     def row_flow(self, rows: Counts, since: Array) -> Array:
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
         if self.bounded:
             return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[:FIRST])
-        return self._motions(rows, since, Moving.after)
+        return self._motions(rows, since, after)
 
     def row_taken(self, rows: Counts, since: Array) -> Array:
         """Return what is taken and given (model.TAKEN) from the starts of rows on for times (s), J; not in binary64."""
-        return self._motions(rows, since, Moving.taken)
+        return self._motions(rows, since, taken)
 
     def row_excess_at(self, t: Any, side: Side) -> Number:
         """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.

@@ -30,6 +30,7 @@ from numerics.errors import NotDifferentiable
 from numerics.linear.cells import mode_in
 from numerics.linear.model import BELT, CONSTANT, DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies, add_signal
 from numerics.linear.pieces import ExactPiece
+from numerics.linear.system import sparse, value
 from numerics.linear.ties import signal_form
 from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
@@ -123,10 +124,10 @@ class Chain:
         place, by_wall = own.moving(wall, state, now, y, t)
         parts = ("a2", state[0] - place, y[0] - by_wall), ("m1", state[1], y[1]), ("m2", state[3], y[3])
         found = self._zeros()
-        for name, value, moved in parts[: 2 if self.is_fixed else 3]:
-            found = found + moved * (Ball.number(getattr(self.scene.pair, name)) * value)
+        for name, one, moved in parts[: 2 if self.is_fixed else 3]:
+            found = found + moved * (Ball.number(getattr(self.scene.pair, name)) * one)
             if name in self.column:
-                found[self.column[name]] += value * value / 2
+                found[self.column[name]] += one * one / 2
         return found
 
     def _zeros(self, *rows: int) -> Array:
@@ -242,7 +243,7 @@ class Chain:
         """Return (x1, v1, x2, v2)' of a state in a mode under a piece."""
         mode, state = mode_in(self.scene, piece, side, cell), list(state)
         if self.is_fixed:
-            state[3] = _dot(mode.rows.others[DRIVEN], mode.begin(state, t))
+            state[3] = value(sparse(mode.rows.others[DRIVEN]), mode.begin(state, t))
             state[1] = state[1] if side else state[3]
         return field(mode, state, t)
 
@@ -252,15 +253,11 @@ class Chain:
         """Return the same in the mode that follows v1 = v2, or in both, and whether that is surely a stick."""
         mode = mode_in(self.scene, piece, 0, cell)
         z, others = mode.begin(state, t), mode.rows.others
-        load, edge, b = (_dot(others[k], z) for k in (LOAD, EDGE, KINETIC))
+        load, edge, b = (value(sparse(others[k]), z) for k in (LOAD, EDGE, KINETIC))
         surely, held = abs(load) < edge, self._field(piece, t, state, 0, cell)
         push = load if surely else load.min(b).max(-b)
         one, two = (Ball.number(k) * (load - push) for k in (self.bodies.inverse_1, self.bodies.inverse_2))
         return held + np.array([arb(0), one, arb(0), -two]), bool(surely)
-
-
-def _dot(row: Array, z: Sequence[arb]) -> arb:
-    return sum((Ball.number(c) * one for c, one in zip(row, z, strict=True)), arb(0))
 
 
 def _in_front(here: ExactPiece, scene: Scene) -> ExactPiece:

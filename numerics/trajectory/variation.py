@@ -22,11 +22,12 @@ from typing import Any, NamedTuple
 
 import flint
 import numpy as np
-from flint import arb, arb_mat, fmpq, fmpq_series
+from flint import arb, arb_mat, fmpq_series
 
 from numerics.arithmetic.ball import Ball, Parts, ball_of, magnitude_bits, parts_of
 from numerics.arithmetic.precision import precision
-from numerics.linear.cells import cells_of
+from numerics.linear.cells import cells_of, series
+from numerics.linear.flow import motion_in
 from numerics.linear.model import (
     FIRST,
     FRICTION,
@@ -44,10 +45,9 @@ from numerics.linear.record import Knot
 from numerics.linear.system import LinearMode, LocalNorm
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
+from numerics.trajectory.flow import BITS_PER_SQUARING
 from numerics.trajectory.trajectory import Trajectory
 
-_BITS_PER_SQUARING = 5
-"""What an exponential may lose each time that it is squared: entries are sums of a few products."""
 SIGNALS = ("force", "force_2", "belt", "wall", "friction")
 _OF_A_PAIR = ("m1", "m2", "a1", "a2", "b", "b_static")
 _NOTHING = Piece(0)
@@ -95,8 +95,8 @@ def legs(trajectory: Trajectory) -> list[Leg]:
 
 def field(mode: LinearMode, state: Sequence[arb], t: arb) -> Array:
     """Return (x1, v1, x2, v2)' of a state at a time, s."""
-    motion = mode.motion(state, t)
-    return np.array(motion.rate(motion.begin).entries()[:FIRST])
+    motion = motion_in(mode, state, t)
+    return np.array((motion.flow.A * motion.column).entries()[:FIRST])
 
 
 class Variation:
@@ -226,23 +226,18 @@ def _acting(scene: Scene, t: Fraction) -> list[tuple[str, Piece]]:
 def _moved_rows(pair: Pair, layout: Layout, cell: Cell, name: str, place: int, line: Cell) -> Rows:
     """Return the derivative of the matrices by a number of the pair, of the frequency at a place, of a line."""
     given = {key: getattr(pair, key) for key in _OF_A_PAIR}
-    made = {key: one if one in {None, inf} else _series(one, key == name) for key, one in given.items()}
+    made = {key: one if one in {None, inf} else series(one, key == name) for key, one in given.items()}
     numbers = SimpleNamespace(**made)
     numbers.mass = numbers.m1 if pair.is_fixed else numbers.m1 + numbers.m2
-    omegas = np.frompyfunc(_series, 2, 1)(spread_omegas(layout), np.arange(layout.size) == place)
+    omegas = np.frompyfunc(series, 2, 1)(spread_omegas(layout), np.arange(layout.size) == place)
     rows = Rows(*(np.full(one.shape, 0, dtype=object) for one in make_rows(layout.size)))
-    put_rows(Bodies.of(numbers), layout.blocks, omegas, tuple(map(_series, cell, line)), rows)  # type: ignore[arg-type]
+    put_rows(Bodies.of(numbers), layout.blocks, omegas, tuple(map(series, cell, line)), rows)  # type: ignore[arg-type]
     return Rows(*map(_slopes, rows))
-
-
-def _series(value: Fraction, slope: Fraction | int) -> fmpq_series:
-    """Return value + slope e as a power series in e, cut after e: what is computed of it is differentiated."""
-    return fmpq_series([fmpq(one.numerator, one.denominator) for one in (value, slope)], prec=2)
 
 
 def _exponential(matrix: Array, tau: arb) -> Array:
     """Return the exponential of a matrix times a time."""
     exact = arb_mat(matrix.tolist()) * tau
     squarings = max(0, 1 + magnitude_bits((exact * exact.transpose()).trace().mid()) // 2)
-    with precision(flint.ctx.prec + _BITS_PER_SQUARING * squarings):
+    with precision(flint.ctx.prec + BITS_PER_SQUARING * squarings):
         return np.array(exact.exp().tolist())

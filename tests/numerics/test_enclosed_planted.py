@@ -14,13 +14,13 @@ from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
 from numerics.linear.enclosed import EnclosedRun
-from numerics.linear.flow import FEW, Curve, Expansion, Flow
+from numerics.linear.flow import FEW, Curve, Flow, Motion
 from numerics.linear.model import V1, V2, Layout
 from numerics.linear.next_enclosed import CLEAR, UNKNOWN, look
 from numerics.linear.path_enclosed import At
 from numerics.linear.record import How
 from numerics.linear.swings import Swings
-from numerics.linear.system import LinearMode, Motion, dot
+from numerics.linear.system import LinearMode, dot
 
 OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
 """So late body 2 rests: where it was at its event is of second order."""
@@ -40,7 +40,7 @@ def test_what_every_step_or_event_is_off_by_is_in_the_bounds(name, place, monkey
         return lambda motion, t: [x + e + arb(0, e.upper()) for x, e in zip(state(motion, t), by, strict=False)]
 
     newton = next_enclosed.newton
-    monkeypatch.setattr(Expansion, "state", stated(Expansion.state))
+    monkeypatch.setattr(Motion, "state", stated(Motion.state))
     monkeypatch.setattr(next_enclosed, "newton", lambda *given: newton(*given) + by[4])
     found = run(scene, 40, 12)
     assert itinerary(found) == itinerary(exact)
@@ -61,7 +61,7 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
         at, root = found(path, at)
         if root is not None:
             flow, z = path.here(at)
-            row, motion = flow.guarded[root.guard.row], Motion(flow.mode, flow.A, flow.column(z))
+            row, motion = flow.guarded[root.guard.row], Motion(flow, z)
             ends = {kind: end for kind, *end in path.cells.guards(at.mode, at.cell)[0]}
             sign, offset = ends[root.guard.kind] if at.mode else (1, 0)
 
@@ -95,13 +95,13 @@ def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound(m2, layou
     flow = Flow(BALLS.bits, Pair("0.3", m2, 50, 1, "0.5"), slips, layout)
     few, t = copy(flow), (flow.reach / 2).mid()
     few.expand(2)
-    for k in {*range(flow.size)} - ({V2} if not slips else set()):
-        z = [arb(int(k == n or (not slips and {k, n} == {V1, V2}))) for n in range(flow.size)]
-        there, motion = Motion(flow.mode, flow.A, flow.column(z)).at(t), Expansion(few, z, flow.reach / 2)
+    for k in {*range(flow.mode.size)} - ({V2} if not slips else set()):
+        z = [arb(int(k == n or (not slips and {k, n} == {V1, V2}))) for n in range(flow.mode.size)]
+        there, motion = Motion(flow, z).at(t), Motion(few, z)
         rate = (flow.A * there).entries()
         assert all(one.overlaps(two) for one, two in zip(motion.state(t), there.entries(), strict=False))
         assert not any(one < abs(rate[v]) for one, v in zip(motion.bends(t), (V1, V2), strict=True))
-        for row, guard, short in zip(flow.guarded, motion.guards(), Expansion(flow, z, t).guards(t), strict=True):
+        for row, guard, short in zip(flow.guarded, motion.guards(), Motion(flow, z).guards(t), strict=True):
             for one, order, true in ((guard, 0, there.entries()), (guard, 1, rate), (short, 0, there.entries())):
                 assert (one.at(t, order) + arb(0, OFF)).overlaps(dot(row, true))
 
@@ -118,7 +118,7 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
         z = mode.begin([Ball.number(Fraction(one)) for one in (x, v, 0, -3 if slips else v)], arb(0))
         found, row = Swings(flow, z), flow.guarded[-1]
         for limit in (arb(0), flow.fastest / 4):
-            curve, motion = found.taken(flow.bent[-1], limit), Motion(mode, flow.A, flow.column(z))
+            curve, motion = found.taken(flow.bent[-1], limit), Motion(flow, z)
             for k in range(1, 60, 4):
                 t = Ball.number(Fraction(k, 40)) if curve.rest == 0 else flow.reach * k / 30
                 off = abs(dot(row, motion.at(t).entries()) - curve.polynomial(t))
