@@ -15,15 +15,6 @@ Proof. intros [L|<-]; [apply Rlt_le, exp_increasing; auto|lra]. Qed.
 (** *** Upper rates from the right *)
 Lemma dini_eq f t k l : k = l -> dini_le f t k -> dini_le f t l.
 Proof. intros ->; auto. Qed.
-Lemma dini_weaken f t k l : k <= l -> dini_le f t k -> dini_le f t l.
-Proof.
-  intros L F e He. destruct (F e He) as (d & Hd & K). exists d. split; auto. intros h Hh. specialize (K h Hh). nra.
-Qed.
-Lemma dini_scal c f t k : 0 < c -> dini_le f t k -> dini_le (fun u => c * f u) t (c * k).
-Proof.
-  intros Hc F e He. destruct (F (e / c)) as (d & Hd & K); [positive|]. exists d. split; auto. intros h Hh.
-  specialize (K h Hh). replace ((c * k + e) * h) with (c * ((k + e / c) * h)) by (field; lra). nra.
-Qed.
 Lemma dini_ext f g t k : (forall u, f u = g u) -> dini_le f t k -> dini_le g t k.
 Proof. intros E F e He. destruct (F e He) as (d & Hd & K). exists d. split; auto. intros h Hh. rewrite <- !E. auto. Qed.
 Lemma dini_add f g t k l : dini_le f t k -> dini_le g t l -> dini_le (fun u => f u + g u) t (k + l).
