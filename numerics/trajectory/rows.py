@@ -11,6 +11,7 @@ from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from flint import arb
 
 from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Arithmetic, Number
@@ -200,16 +201,16 @@ class Rows(Answer[Mode]):
     def row_values(self, function: Callable[..., Array], times: Array, side: Side) -> Array:
         """Return a function of rows and of the times since they began at times of the run.
 
-        Where balls leave open which segment holds a time, all that may hold it answer.
+        Where balls leave open which segment holds a time, all that may answer; the ball of an event is that event.
         """
         rows, starts, found = self._rows(times, side), self.row_times, []
         if not self._is_ball:
             return function(rows, self._since(times, rows))
         for time, row in zip(times, rows.tolist(), strict=True):
             first, after = row, row + 1  # this one holds its middle
-            while first > 0 and not (starts[first] < time or starts[first] is time or starts[first] == time):
+            while first > 0 and not (starts[first] < time or _equal(starts[first], time)):
                 first -= 1
-            while after < len(starts) and not (time < starts[after] or starts[after] is time or time == starts[after]):
+            while after < len(starts) and not (time < starts[after] or _equal(time, starts[after])):
                 after += 1
             held = np.arange(first, after)
             found.append(reduce(_union, function(held, time - starts[held]).T))
@@ -311,6 +312,11 @@ def _acting(mode: LinearMode) -> Floats:
     force, others = np.zeros(mode.size), mode.rows.others
     add_signal(force, mode.layout.blocks[FORCE], 1.0)
     return np.array([force, *others[[LOAD, KINETIC, EDGE]].astype(float)])
+
+
+def _equal(one: arb, two: arb) -> bool:
+    """Return whether two balls are the same ball; flint's == is about their points."""
+    return bool(one.mid() == two.mid() and one.rad() == two.rad())
 
 
 def _columns(found: list[Any]) -> Array:

@@ -173,7 +173,7 @@ def test_derivatives_at_the_ends_are_those_of_start_and_end_and_at_an_event_thos
     for index, name in enumerate(found.wrt):
         assert (last[:, index] == (0 if name == "until" else found.final[:, index])).all()
     event = next(one for one in balls.events if not one.t.is_exact())
-    about = 1 * event.t  # a ball of times, which may be before or after it
+    about = event.t + arb(0, 1e-60)  # another ball of times, which may be before or after it
     for side, near in (("left", event.t.lower() - 1e-9), ("right", event.t.upper() + 1e-9)):
         beside = sensitivities(balls, near)
         for found_there in (sensitivities(balls, event.t, side), sensitivities(balls, about)):
