@@ -49,6 +49,13 @@ ON_A_KNOT = {
     "of place": weakened(BY_PLACE, x1="0.02", v1="0.3"),
     "of place, of body 2": weakened(BY_PLACE, v2="0.3"),
     "of place, in a stick": weakened(BY_PLACE, 3, Force.sine(2, 5), x2="0.02", x1="0.02"),
+    "of neither, but at no rational speed: |w| = 0.3 - 0.2 sin 1": Scene(
+        Pair(1, "inf", 20, 3),
+        State("0.02", "0.3"),
+        until=2,
+        friction=Friction((), Weakening([("0.1", 2), (1, "2.2")], place=[("-0.1", "-0.2"), ("0.5", "0.4")])),
+        belt=Force.sine("0.2", 3, 1),
+    ),
 }
 
 
