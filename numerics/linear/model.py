@@ -233,16 +233,13 @@ CONSTANT = Cell(Fraction(0), Fraction(0), Fraction(1))
 
 @lru_cache(maxsize=256)
 def exact_rows(pair: Pair, layout: Layout, cell: Cell = CONSTANT) -> Rows:
-    """Return the exact matrices of a pair, arrays of Fraction; `cell` as in `put_rows`."""
-    rows = Rows(*(one.astype(object) for one in make_rows(layout.size)))
-    for one in rows:
-        one[...] = _NONE
+    """Return the exact matrices of a pair, arrays of Fraction and 0; `cell` as in `put_rows`."""
+    rows = Rows(*(np.full(one.shape, fmpq(0)) for one in make_rows(layout.size)))
     bodies, omegas = Bodies(*map(_ratio, Bodies.of(pair))), np.array([*map(_ratio, spread_omegas(layout))])
     put_rows(bodies, layout.blocks, omegas, tuple(map(_ratio, cell)), rows)
     return Rows(*map(_fractions, rows))
 
 
-_NONE = fmpq(0)
 _fractions = np.frompyfunc(lambda x: Fraction(int(x.p), int(x.q)) if x else 0, 1, 1)
 
 

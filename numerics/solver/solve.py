@@ -38,8 +38,6 @@ _MOST_IN_BALLS = 10_000
 _FLOAT64 = Float64()
 _LADDER: tuple[Arithmetic, ...] = (_FLOAT64, Ball(34), Ball(68), Ball(136), Ball(560))
 """What decides a sequence, and finds digits, in the order in which they are tried."""
-
-
 _OF_A_SURFACE = 6, 2
 """Working digits beyond those that are wanted, and how often they are doubled, where a surface decides nothing."""
 
