@@ -176,7 +176,9 @@ def test_derivatives_at_the_ends_are_those_of_start_and_end_and_at_an_event_thos
     about = event.t + arb(0, 1e-60)  # another ball of times, which may be before or after it
     for side, near in (("left", event.t.lower() - 1e-9), ("right", event.t.upper() + 1e-9)):
         beside = sensitivities(balls, near)
-        for found_there in (sensitivities(balls, event.t, side), sensitivities(balls, about)):
+        at = sensitivities(balls, event.t, side)
+        assert all(one.rad() < 1e-6 for one in at.flat)
+        for found_there in (at, sensitivities(balls, about)):
             assert all(abs(one).lower() < 1e-6 for one in (found_there - beside).flat)
 
 
