@@ -12,7 +12,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 
 _AFTER, _EVERY, _SILENT, _COMMAND, _WIDTH = 2.0, 0.25, 60.0, 5.0, 20
 """Seconds before the first line on a terminal and between two, before the first one elsewhere, and between two of a
@@ -21,12 +21,31 @@ _ACTIVE = threading.local()
 
 
 class _Line:
-    """What is shown: it is told how far the work is, and writes now and then."""
+    """What is shown while some work lasts: it is told how far that is, and writes now and then.
 
-    def __init__(self, what: str, every: float = 0.0) -> None:
-        self.what, self.every, self.began, self.fraction = what, every, time.monotonic(), 0.0
-        self.is_terminal, self.has_told = sys.stderr.isatty(), False
-        self.due, self.is_named = self.began + (_AFTER if self.is_terminal else every or _SILENT), False
+    With `ticks` it also counts the seconds of work that tells nothing.
+    """
+
+    def __init__(self, what: str, ticks: bool, every: float = 0.0) -> None:
+        self.what, self.ticks, self.every, self.began, self.fraction = what, ticks, every, time.monotonic(), 0.0
+        self.due, self.is_terminal, self.has_told, self.is_named = self.began + _AFTER, False, False, False
+
+    def __enter__(self) -> _Line:
+        _ACTIVE.line = self
+        if self.ticks:
+            self.ended = threading.Event()
+            self.ticker = threading.Thread(target=self.tick, daemon=True)
+            self.ticker.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        _ACTIVE.line = None
+        if self.ticks:
+            self.ended.set()
+            self.ticker.join()
+        if self.has_told and self.is_terminal:
+            sys.stderr.write("\r\033[K")
+            sys.stderr.flush()
 
     def __call__(self, done: int, whole: float) -> None:
         """Take a count and the fraction done (a float), or a count and how many there are (an int)."""
@@ -38,8 +57,11 @@ class _Line:
         now = time.monotonic()
         if now < self.due:
             return
-        spent, done, self.has_told = now - self.began, self.fraction, True
-        self.due = now + (_EVERY if self.is_terminal else self.every or spent)
+        self.is_terminal, spent, done = sys.stderr.isatty(), now - self.began, self.fraction
+        if not self.has_told and not self.is_terminal and spent < (first := self.every or _SILENT):
+            self.due = self.began + first
+            return
+        self.has_told, self.due = True, now + (_EVERY if self.is_terminal else self.every or spent)
         bar, left = "", ""
         if done > 0:
             bar = f"{100 * done:3.0f} %|{'#' * int(_WIDTH * done):{_WIDTH}}| "
@@ -48,34 +70,9 @@ class _Line:
         sys.stderr.write(f"\r\033[K{line}" if self.is_terminal else f"{line}\n")
         sys.stderr.flush()
 
-    @contextmanager
-    def shown(self) -> Iterator[_Line]:
-        """Show it while some work lasts."""
-        _ACTIVE.line = self
-        try:
-            yield self
-        finally:
-            _ACTIVE.line = None
-            if self.has_told and self.is_terminal:
-                sys.stderr.write("\r\033[K")
-                sys.stderr.flush()
-
-    @contextmanager
-    def ticking(self) -> Iterator[None]:
-        """Count the seconds of work that tells nothing."""
-        ended = threading.Event()
-
-        def tick() -> None:
-            while not ended.wait(max(self.due - time.monotonic(), _EVERY)):
-                self.tell()
-
-        ticker = threading.Thread(target=tick, daemon=True)
-        ticker.start()
-        try:
-            yield
-        finally:
-            ended.set()
-            ticker.join()
+    def tick(self) -> None:
+        while not self.ended.wait(max(self.due - time.monotonic(), _EVERY)):
+            self.tell()
 
 
 class _Messages(logging.Handler):
@@ -91,34 +88,31 @@ class _Messages(logging.Handler):
         self.line.tell()
 
 
-@contextmanager
 def meter(
     what: str, given: Callable[..., None] | None = None, ticks: bool = True
-) -> Iterator[Callable[..., None] | None]:
-    """Yield what takes the progress of some work: what is `given`, or a line; None within other work that has one.
+) -> AbstractContextManager[Callable[..., None] | None]:
+    """Return the context of some work, which yields what takes its progress: what is `given`, or a line.
 
-    With `ticks` it also counts the seconds of work that tells nothing. As a decorator it is the line of a function.
+    None within other work that has a line. With `ticks` that also counts the seconds of work that tells nothing.
     """
     line = getattr(_ACTIVE, "line", None)
     if given is None and line is not None and line.every and not line.is_named:  # that of a command
         line.what, line.fraction = what, 0.0
-        yield line
-    elif given is not None or line is not None or sys.stderr is None:
-        yield given
-    else:
-        with _Line(what).shown() as line, line.ticking() if ticks else nullcontext():
-            yield line
+        return nullcontext(line)
+    if given is not None or line is not None or sys.stderr is None:
+        return nullcontext(given)
+    return _Line(what, ticks)
 
 
 @contextmanager
 def shown_steps() -> Iterator[Callable[[str], None]]:
     """Show the progress of a command; yields the function that logs a message."""
-    log, line = logging.getLogger("numerics"), _Line("computing", _COMMAND)
+    log, line = logging.getLogger("numerics"), _Line("computing", True, _COMMAND)
     handler = _Messages(line)
     log.addHandler(handler)
     log.setLevel(logging.INFO)
     try:
-        with line.shown(), line.ticking():
+        with line:
             yield log.info
     finally:
         log.removeHandler(handler)

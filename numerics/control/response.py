@@ -82,13 +82,13 @@ class Response(ShortRepr):
         is_kept = self.regime is Regime.ENTRAINED and self.drive.pair.a1 == 0
         return tuple(arb(one != 0) if is_kept else abs(one) for one in self.multipliers or ())
 
-    @meter("drawing")
     def plot(self) -> Figure:
         """Return a matplotlib figure: one period of the motion, its friction, and the thresholds over frequency.
 
         Raises MissingTool.
         """
-        return pictures().draw_response(self)
+        with meter("drawing"):
+            return pictures().draw_response(self)
 
     def one_period(self) -> Scene | None:
         """Return one period of its motion as a scene, in decimals; None if there is no such scene."""

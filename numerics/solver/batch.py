@@ -233,7 +233,6 @@ class Batch(Helpful):
             found[name].attrs["units"] = unit(name)
         return found
 
-    @meter("drawing")
     def plot(self, answer: str | None = None, along: str | ArrayLike | None = None, ax: Axes | None = None) -> Axes:
         """Draw one answer over the inputs that vary, one or the first two of them, and return the matplotlib axes.
 
@@ -243,4 +242,5 @@ class Batch(Helpful):
         """
         from numerics.solver.batch_picture import draw_batch
 
-        return draw_batch(self, self.ANSWERS[0] if answer is None else answer, along, ax)
+        with meter("drawing"):
+            return draw_batch(self, self.ANSWERS[0] if answer is None else answer, along, ax)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial
-from itertools import takewhile
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, Unpack, get_args, overload
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, exhausted, to_digits
@@ -202,7 +201,10 @@ def _solve_surely(scene: Scene, limits: Limits) -> Trajectory:
 
 def _ladder(limits: Limits) -> Iterator[Arithmetic]:
     """Yield what is tried one after the other, up to the cap on digits."""
-    yield from takewhile(limits.allow, _LADDER)
+    for arithmetic in _LADDER:
+        if not limits.allow(arithmetic):
+            return
+        yield arithmetic
     digits = 2 * _LADDER[-1].digits
     while digits <= limits.digits:
         yield Ball(digits)

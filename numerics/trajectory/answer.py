@@ -320,13 +320,13 @@ class Answer(Helpful, Generic[M]):
         """Return the module that draws such a run."""
         return import_module(self._PICTURES)
 
-    @meter("drawing")
     def plot(self, kind: Kind | None = None, ax: Axes | None = None) -> Axes:
         """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are marked.
 
         Left out, `kind` is "velocities", on a surface "above" (both bodies, m), beside which there is "relative" alone.
         """
-        return self.pictures.draw(self, kind, ax)
+        with meter("drawing"):
+            return self.pictures.draw(self, kind, ax)
 
     def animate(
         self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15

@@ -127,7 +127,8 @@ def test_what_lasts_shows_one_line_on_a_terminal_and_after_a_minute_lines_elsewh
         told(5, 10)
         time.sleep(0.2)
         assert inner is None
-    meter("derivatives")(time.sleep)(0.2)
+    with meter("derivatives"):
+        time.sleep(0.2)
     shown, is_terminal = sys.stderr.getvalue(), kind is Terminal
     assert "solving  50 %|##########          |" in shown
     assert "derivatives" in shown
