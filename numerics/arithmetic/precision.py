@@ -43,11 +43,31 @@ def is_held() -> bool:
     return bool(_LOCK._is_owned())  # type: ignore[attr-defined]
 
 
-@contextmanager
-def precision(bits: int) -> Iterator[None]:
-    """Compute with balls of so many bits while other threads wait; what was set before is restored."""
-    with _LOCK, flint.ctx.workprec(bits):
-        yield
+class precision:  # noqa: N801 - used like a function
+    """Compute with balls of so many bits while other threads wait; what was set before is restored.
+
+    The outermost of nested ones alone locks, and an interrupt that meets the end of an inner one leaves nothing behind:
+    the outer ones restore what they found.
+    """
+
+    __slots__ = ("before", "bits", "is_outermost")
+
+    def __init__(self, bits: int) -> None:
+        """Take the bits."""
+        self.bits = bits
+
+    def __enter__(self) -> None:
+        """Wait for other threads."""
+        self.is_outermost = not is_held()
+        if self.is_outermost:
+            _LOCK.acquire()
+        self.before, flint.ctx.prec = flint.ctx.prec, self.bits
+
+    def __exit__(self, *_: object) -> None:
+        """Restore what was set before."""
+        flint.ctx.prec = self.before
+        if self.is_outermost:
+            _LOCK.release()
 
 
 @contextmanager

@@ -15,7 +15,7 @@ from three_scenes import DAMPED, PAPER
 
 from numerics import load_scene, response, sensitivities, solve
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.precision import cached_property, precision
+from numerics.arithmetic.precision import cached_property, is_held, precision
 from numerics.solver.rows import in_chunks
 from numerics.trajectory.saved import plain
 
@@ -143,3 +143,16 @@ def test_a_process_that_is_forked_has_a_precision_of_its_own():
             os._exit(0 if flint.ctx.prec == 100 else 1)
     assert os.waitpid(child, 0)[1] == 0
     other.join()
+
+
+def test_an_interrupt_that_meets_the_end_of_an_inner_precision_leaves_nothing_behind():
+    """Once in forty Ctrl-C left the digits of a run in balls, as the block within it never ended."""
+
+    def interrupted():
+        with precision(100):
+            precision(200).__enter__()
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        interrupted()
+    assert (flint.ctx.prec, is_held()) == (53, False)
