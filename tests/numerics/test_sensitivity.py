@@ -29,7 +29,7 @@ from numerics import (
     sensitivities,
     solve,
 )
-from numerics.trajectory import variation
+from numerics.trajectory import sensitivity, variation
 from numerics.trajectory.run import free_scene
 from numerics.trajectory.trajectory import Trajectory
 
@@ -187,3 +187,31 @@ def test_a_jump_of_the_force_has_two_sides():
     start = list(parameters(run.scene)).index("force[0].from")
     assert (sensitivities(run, 1, "left")[:, start] == 0).all()
     assert sensitivities(run, 1)[1, start] == pytest.approx(-0.1)  # both bodies go on, and later
+
+
+def test_in_balls_a_jump_at_a_time_that_no_float_holds_has_two_sides():
+    """One ball held both of them."""
+    jump = Fraction(17, 10)
+    run = in_balls(Scene(Pair(1, 1, 200, "0.2", "0.5"), State(), 2, force=Force.step(jump, "0.2")), 20)
+    before, after = (sensitivities(run, jump, side, ["force[0].from"]) for side in ("left", "right"))
+    assert (before == 0).all()
+    assert [one.str(20, radius=False) for one in after[1::2].flat] == ["-0.10000000000000000000"] * 2
+    assert all(abs(one) < 1e-20 for one in after[::2].flat)
+
+
+def test_an_event_is_that_event_also_where_derivatives_need_more_digits_than_the_run_has(monkeypatch):
+    run, tried = solve(load_scene("belt"), digits=15, arithmetic="ball"), []
+    honest = sensitivity.run_scene
+    monkeypatch.setattr(sensitivity, "run_scene", lambda *given: tried.append(given) or honest(*given))
+    for side in ("left", "right"):
+        assert all(one.rad() < 1e-12 for one in sensitivities(run, run.events[-1].t, side).flat)
+    assert tried
+
+
+@pytest.mark.parametrize("m2", [1, "inf"])
+def test_by_a_b_that_is_0_there_is_no_derivative(m2):
+    """It was 0, where friction of any b > 0 slows the motion down."""
+    run = solve(Scene(Pair(1, m2, 4, 0), State(v1=1), 1))
+    assert "b" not in sensitivities(run).wrt
+    with pytest.raises(ValueError, match="'b', which is no number of this scene"):
+        sensitivities(run, wrt=["b"])
