@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from differences import DIGITS, STEP, deviation, everything, moved, parameters
+from differences import DIGITS, STEP, deviation, everything, is_first_start, moved, parameters
 from every_number import derivatives
 from flint import arb
 from hypothesis import example, given
@@ -157,6 +157,37 @@ def test_pieces_of_one_length_share_their_exponentials(monkeypatch):
 def test_a_force_from_the_start_on_breaks_a_stick_towards_either_side(height, name):
     base = in_balls(Scene(PAIR, State(), 1, force=Force.step(0, height), friction=Friction([(0, "0.08")])))
     assert deviation(base, {name: Fraction(1)}, (1,)).size < 1e-50
+
+
+ON_GROUND, SLOWING = Pair(1, "inf", 4, 1), Force([Piece(0, ["0.3", "-0.4"])])
+FROM_THE_START = {
+    "a block on the ground is pushed from rest": Scene(ON_GROUND, State(), 1, force=Force.step(0, 3)),
+    "its spring is drawn": Scene(ON_GROUND, State(), 1, wall=Force.step(0, "0.9")),
+    "it slips on a belt": Scene(ON_GROUND, State(v1=1), "0.5", belt=SLOWING),
+    "it goes with the belt": Scene(ON_GROUND, State(v1="0.3"), 1, belt=SLOWING),
+    "it goes with the belt, and friction falls": Scene(
+        ON_GROUND, State(v1="0.3", x1="0.2"), 1, belt=SLOWING, friction=Friction([(0, "0.5")])
+    ),
+    "the belt starts under it": Scene(ON_GROUND, State(), 1, belt=Force([Piece(0, [0, "0.3"], [Sine(1, 2)])])),
+    "friction begins to hold": Scene(PAIR, State(x1="0.001"), 1, friction=Friction([(0, "0.5")])),
+    "a force turns a slip": Scene(PAIR, State(x1="0.001"), 1, force=Force.step(0, "0.6")),
+}
+
+
+@pytest.mark.parametrize("scene", FROM_THE_START.values(), ids=FROM_THE_START)
+def test_what_begins_at_the_start_may_begin_later(scene):
+    """One by one, from v1 = v2 too: it was wrong on the ground or a belt, and where a short slip follows."""
+    base = in_balls(scene)
+    for name in parameters(scene):
+        if is_first_start(scene, name):
+            assert deviation(base, {name: Fraction(1)}, (1,)).size < 1e-30  # of second order, where friction holds
+
+
+def test_what_friction_read_literally_would_not_bring_back_has_no_derivative():
+    """A belt that begins late leaves the stick behind, which no friction b could hold."""
+    scene = Scene(ON_GROUND, State(x1=1), 1, "three-valued-sgn", belt=Force.sine(1, 2))
+    with pytest.raises(NotDifferentiable, match=r"where belt\[0\] begins a little later"):
+        sensitivities(solve(scene))
 
 
 # at any time
