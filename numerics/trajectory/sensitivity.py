@@ -147,7 +147,8 @@ def sensitivities(
 
     def at_times(balls: Trajectory, chain: Chain) -> tuple[Array, ...]:
         def slopes(rows: Counts, since: Array) -> Array:
-            return np.reshape([chain.at(*one) for one in zip(rows, since, strict=True)], (len(rows), -1)).T
+            found = [chain.at(*one) for one in zip(rows, since, strict=True)]
+            return np.reshape(found, (len(rows), 4 * len(chain.column))).T
 
         exact = (as_ball(one if hasattr(one, "man_exp") else exact_time(one)) for one in asked.flat)
         times = np.fromiter(exact, object, asked.size)

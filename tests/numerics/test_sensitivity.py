@@ -213,6 +213,11 @@ def test_derivatives_at_the_ends_are_those_of_start_and_end_and_at_an_event_thos
             assert all(abs(one).lower() < 1e-6 for one in (found_there - beside).flat)
 
 
+@pytest.mark.parametrize("arithmetic", ["float64", "mpmath", "ball"])
+def test_at_no_times_there_are_no_derivatives(arithmetic):
+    assert sensitivities(solve(load_scene("velocities"), arithmetic=arithmetic), []).shape == (4, 9, 0)
+
+
 def test_a_jump_of_the_force_has_two_sides():
     run = solve(Scene(Pair(1, 1, 200, "0.2", "0.5"), State(), 2, force=Force.step(1, "0.2")))
     start = list(parameters(run.scene)).index("force[0].from")
