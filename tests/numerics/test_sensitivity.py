@@ -244,10 +244,21 @@ def test_an_event_is_that_event_also_where_derivatives_need_more_digits_than_the
     assert tried
 
 
+def test_by_the_damper_there_is_no_derivative_where_the_wall_jumps():
+    """A jump would be a blow through it: such a scene is refused, and what was returned left the blow out."""
+    for place, has_one in (
+        (Force.step("0.5", 1), False),
+        (Force.ramp("0.5", "0.6", 1), True),
+        (Force.step(0, 1), True),
+    ):
+        run = solve(Scene(Pair(1, 1, 4, "0.1"), State(v1=1), 1, wall=place))
+        assert ("a1" in sensitivities(run).wrt) is has_one
+
+
 @pytest.mark.parametrize("m2", [1, "inf"])
 def test_by_a_b_that_is_0_there_is_no_derivative(m2):
     """It was 0, where friction of any b > 0 slows the motion down."""
     run = solve(Scene(Pair(1, m2, 4, 0), State(v1=1), 1))
     assert "b" not in sensitivities(run).wrt
-    with pytest.raises(ValueError, match="'b', which is no number of this scene"):
+    with pytest.raises(ValueError, match="'b', which is 0: by that there is no derivative"):
         sensitivities(run, wrt=["b"])
