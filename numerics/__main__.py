@@ -61,7 +61,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise
         return refuse(missing(error.name), FAILED)
     except KeyboardInterrupt:
-        return refuse("interrupted; nothing was written", INTERRUPTED)
+        return refuse("interrupted; no file was written", INTERRUPTED)
 
 
 if __name__ == "__main__":

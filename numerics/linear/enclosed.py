@@ -17,9 +17,10 @@ from numerics.errors import EventUndecided
 from numerics.linear.cells import VANISHES
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Motion
-from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, WALL, X1, X2
+from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, X1, X2
 from numerics.linear.next_enclosed import CLEAR, SHY, Root, next_event, short_step, slow_curves
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
+from numerics.linear.pieces import polynomial_at
 from numerics.linear.record import How, Knot, Record
 from numerics.linear.sine_form import SineForm
 from numerics.linear.system import LinearMode, dot
@@ -170,13 +171,14 @@ class EnclosedRun(EnclosedPath):
         raise self.undecided(at)
 
     def exactly_after(self, at: At, contact: Fraction) -> tuple[int, int]:
-        """Return the mode that follows a contact at this stretch, and how many derivatives of its guard vanish there.
+        """Return the mode that follows a contact so far from the bearing, and how many derivatives of its guard vanish.
 
-        It is as if it came when the piece begins: since then only the wall may have moved, at a constant speed.
+        It is as if it came when the piece begins: since then only the bearing may have moved, at a constant speed.
         """
         piece = self.pieces[at.piece]
-        speed, wall = (signal_form(piece, one, Fraction(0)) for one in (BELT, WALL))
-        state = wall + contact, speed, SineForm(), speed
+        speed = signal_form(piece, BELT, Fraction(0))
+        place = polynomial_at(self.bearing(at), Fraction(0)) + contact
+        state = SineForm(place), speed, SineForm(), speed
         return mode_after(LinearMode(self.pair, 0, piece), Fraction(0), state)
 
     def entered(self, at: At, order: int, state: Sequence[arb]) -> At:
@@ -266,10 +268,9 @@ class EnclosedRun(EnclosedPath):
         """Return an exact knot as a point; the motion starts within its rounding."""
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
         at = At(knot.mode, knot.orders, knot.piece, local, state, zero, zero, zero, zero, knot.cell)
-        piece, v1 = self.pieces[knot.piece], knot.state[V1].rational
-        stretch = (knot.state[X1] - signal_form(piece, WALL, knot.local)).rational
-        if knot.mode and self.is_closed(at) and stretch is not None and v1 is not None:
-            at = self.on_circle(at, stretch, v1)
+        x1, v1 = (knot.state[place].rational for place in (X1, V1))
+        if knot.mode and self.is_closed(at) and x1 is not None and v1 is not None:
+            at = self.on_circle(at, x1 - polynomial_at(self.bearing(at), knot.local), v1)
         if self.varies:
             at = at._replace(apart=None if knot.mode else (knot.state[X1] - knot.state[X2]).rational)
             if knot.mode and not self.arithmetic.number(0).is_zero():  # a box of starts

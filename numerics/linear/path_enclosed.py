@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import zip_longest
 from typing import NamedTuple
 
 from flint import arb, ctx
@@ -27,10 +28,10 @@ from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
 from numerics.linear.flow import Flow, Motion, flow_of
-from numerics.linear.model import BELT, FRICTION, V1, V2, WALL, X1, X2
+from numerics.linear.model import BELT, FRICTION, V1, V2, X1, X2
 from numerics.linear.pieces import pieces_of, polynomial_at
 from numerics.linear.system import BallDrive, LinearMode, LocalNorm, dot
-from numerics.scene import Law, Scene
+from numerics.scene import Law, Piece, Scene
 
 AWAY = (0, 0)
 """No derivative of a guard vanishes."""
@@ -41,8 +42,8 @@ class At(NamedTuple):
 
     The state is a point; `norm` bounds N of its distance to the true one, `far` that of x1, `place` that of x1 - x2.
     The true motion sticks from up to `late` (s) after the path on. A slip is in a `cell` of friction, its guards are
-    those of cells.py; `apart` is x1 - x2 of a stick if it is known exactly, `contact` how far the spring was
-    stretched where a slip left v1 = v2. `is_slow`: it is known exactly that a slip only touches v1 = v2, if at all.
+    those of cells.py; `apart` is x1 - x2 of a stick if it is known exactly, `contact` how far from its bearing body 1
+    was where a slip left v1 = v2. `is_slow`: it is known exactly that a slip only touches v1 = v2, if at all.
     """
 
     mode: int
@@ -118,38 +119,46 @@ class EnclosedPath:
     def is_closed(self, at: At) -> bool:
         """Return whether body 1 swings on its spring alone: no damper, ground or a belt, signals that are constants.
 
-        In the frame of a wall that moves at a constant speed that is so, too.
+        In the frame of a wall that moves at a constant speed, or under a force that grows so, that is so, too.
         """
-        *others, wall, friction = self.pieces[at.piece].signals
-        is_even = not wall.sines and len(wall.polynomial) <= 2
-        return self.undriven and is_even and all(one.constant is not None for one in (*others, friction))
+        force, force_2, belt, wall, friction = self.pieces[at.piece].signals
+        is_even = self.undriven and not (force.sines or wall.sines) and len(self.bearing(at)) <= 2
+        return is_even and all(one.constant is not None for one in (force_2, belt, friction))
+
+    def bearing(self, at: At) -> tuple[Fraction, ...]:
+        """Return where body 1 would be at rest without friction, a polynomial, in a piece whose signals have no sines.
+
+        That is where the wall is, and what the force stretches the spring by.
+        """
+        force, *_, wall, _ = self.pieces[at.piece].signals
+        both = zip_longest(wall.polynomial, force.polynomial, fillvalue=Fraction(0))
+        return Piece(0, [place + u / self.pair.a2 for place, u in both]).polynomial
 
     def lasts(self, at: At) -> bool:
         """Return whether a mode that begins here does not end in its piece, as is known exactly.
 
-        At rest on the ground the load stays as it is, if the wall does not move.
+        At rest on the ground the load stays as it is, if neither the wall moves nor the force changes.
         """
         if at.mode:
             return at.is_slow
-        signals = self.pieces[at.piece].signals
-        return self.is_closed(at) and signals[BELT].constant == 0 and signals[WALL].constant is not None
+        is_at_rest = self.is_closed(at) and self.pieces[at.piece].signals[BELT].constant == 0
+        return is_at_rest and len(self.bearing(at)) <= 1
 
     def on_circle(self, at: At, stretch: Fraction, v1: Fraction | None = None) -> At:
-        """Return a slip of a closed piece whose spring is stretched so far, exactly, at a speed v1 or at v1 = v2.
+        """Return a slip of a closed piece that is so far from its bearing, exactly, at a speed v1 or at v1 = v2.
 
         There (x1, v1) is a circle about its balance: it is slow if the belt is at all times at least as fast.
         """
-        signals, pair = self.pieces[at.piece].signals, self.pair
-        belt, speed = signals[BELT].constant or Fraction(0), polynomial_at(signals[WALL].polynomial, Fraction(0), 1)
+        pair, belt = self.pair, self.pieces[at.piece].signals[BELT].constant or Fraction(0)
+        speed = polynomial_at(self.bearing(at), Fraction(0), 1)
         away, at_most = stretch - self.balance(at, at.mode), (belt - speed) ** 2
         square = ((belt if v1 is None else v1) - speed) ** 2
         is_slow = pair.a2 * away**2 + pair.m1 * square <= pair.m1 * at_most
         return at._replace(is_slow=is_slow, contact=stretch if v1 in {None, belt} else None)
 
     def balance(self, at: At, side: int) -> Fraction:
-        """Return by how much the spring is stretched where it bears, with the force, the friction side * b."""
-        force, *_, b = (one.constant or Fraction(0) for one in self.pieces[at.piece].signals)
-        return (force - side * b) / self.pair.a2
+        """Return how far from its bearing the spring balances the friction side * b."""
+        return -side * (self.pieces[at.piece].signals[FRICTION].constant or Fraction(0)) / self.pair.a2
 
     def held(self, at: At) -> arb:
         """Return what friction that depends on the state holds at rest where a point is, N; for the true motion."""

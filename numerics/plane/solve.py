@@ -23,8 +23,9 @@ _MAX_LEGS = 200_000
 def run_plane(scene: PlaneScene, working: int, max_events: int, progress: Any, line: Callable[..., Any]) -> Any:
     """Solve a scene once; an axis of a box that no other acts on by `line`, to right digits as a pair on a line.
 
-    Numbers count relative to themselves, near 0 to the largest of their axis along the run. (A direction that is not
-    known is 0 with the radius 1.) Raises EventUndecided, NotSettled, InvalidScene.
+    Numbers count relative to themselves, near 0 to the largest of their axis along the run, or where that is 0 to what
+    friction holds. (A direction that is not known is 0 with the radius 1.)
+    Raises EventUndecided, NotSettled, InvalidScene.
     """
 
     def alone(part: Scene | PlaneScene) -> Any:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from itertools import chain
+from operator import add
 from typing import Any, Self
 
 import numpy as np
@@ -103,11 +104,22 @@ class PlaneTrajectory(Answer[str]):
         return np.array([(a2 @ x @ x + m1 * v @ v + m2 * w @ w) / 2 for x, v, _, w in states], dtype=object)
 
     def _right_digits(self) -> int:
-        """Return how many digits are right of every time, state and energy; near 0 relative to the run's largest."""
-        found = [(x, x) for x in (*self.event_times, self.final_energy)]
+        """Return how many digits are right of every time, state and energy; near 0 relative to the run's largest.
+
+        Where that is 0, as at rest, relative to what friction holds.
+        """
+        pair, held, energy = self.scene.pair, [], arb(0)
+        for i, (b, mass) in enumerate(zip(pair.b, map(add, pair.m1, pair.m2), strict=True)):
+            stiff, force = Ball.number(pair.a2[i][i]), Ball.number(b)
+            held.append((force / stiff, force / (stiff * Ball.number(mass)).sqrt()))
+            energy = energy.max(force * force / stiff / 2)
+        left: Any = self.final_energy
+        found = [(left, energy if left.contains(0) else left), *((x, x) for x in self.event_times)]
         states = np.column_stack([self.event_states, np.ravel(self.final_state)])
-        for column in states.reshape(2, 2 * self.scene.pair.axes, -1).swapaxes(0, 1):
-            scale = max(abs(x.mid()) for x in column.flat)
+        columns = states.reshape(2, 2 * pair.axes, -1).swapaxes(0, 1)
+        for column, least in zip(columns, chain(*zip(*held, strict=True)), strict=True):
+            largest = max(abs(x.mid()) for x in column.flat)
+            scale = largest if largest > 0 else least
             found += [(x, scale if x.contains(0) else x) for x in column.flat]
         return min(digits_within(x.rad(), of, of) for x, of in found)
 

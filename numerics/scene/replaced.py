@@ -17,7 +17,7 @@ def replaced(scene: _S, changes: dict[str, object], inner: tuple[str, ...]) -> _
     for word in changes:
         if word not in own and word not in owners:
             raise TypeError(f"replace has no {word!r}: {right_word(word, [*own, *owners])}")
-    if "belt" in new:
+    if "belt" in new and any(getattr(one, "pieces", ()) for one in (own["belt"], new["belt"])):
         new.setdefault("v2", 0)  # a belt gives body 2 its velocity
     for name in inner:
         given = {key: new.pop(key) for key in list(new) if key not in own and owners[key] == name}

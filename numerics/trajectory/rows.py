@@ -208,9 +208,9 @@ class Rows(Answer[Mode]):
             return function(rows, self._since(times, rows))
         for time, row in zip(times, rows.tolist(), strict=True):
             first, after = row, row + 1  # this one holds its middle
-            while first > 0 and not (starts[first] < time or _equal(starts[first], time)):
+            while first > 0 and not (starts[first] < time or same_ball(starts[first], time)):
                 first -= 1
-            while after < len(starts) and not (time < starts[after] or _equal(time, starts[after])):
+            while after < len(starts) and not (time < starts[after] or same_ball(time, starts[after])):
                 after += 1
             held = np.arange(first, after)
             found.append(reduce(_union, function(held, time - starts[held]).T))
@@ -314,7 +314,7 @@ def _acting(mode: LinearMode) -> Floats:
     return np.array([force, *others[[LOAD, KINETIC, EDGE]].astype(float)])
 
 
-def _equal(one: arb, two: arb) -> bool:
+def same_ball(one: arb, two: arb) -> bool:
     """Return whether two balls are the same ball; flint's == is about their points."""
     return bool(one.mid() == two.mid() and one.rad() == two.rad())
 

@@ -22,16 +22,18 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import NamedTuple
 
+import flint
 import numpy as np
 from flint import arb
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
 from numerics.linear.cells import mode_in
-from numerics.linear.model import BELT, CONSTANT, DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies, add_signal
+from numerics.linear.exact_start import exact_knots
+from numerics.linear.model import BELT, CONSTANT, DRIVEN, EDGE, FRICTION, LOAD, V1, V2, WALL, Bodies, add_signal
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.system import sparse, value
-from numerics.linear.ties import signal_form
+from numerics.linear.ties import derivatives, signal_form
 from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.variation import SIGNALS, Leg, Variation, field
@@ -96,7 +98,8 @@ class Chain:
         if legs[0].side == 0:  # stuck neighbours share their momentum at once
             y[1] = y[3] = Ball.number(self.bodies.share_1) * y[1] + Ball.number(self.bodies.share_2) * y[3]
         zeros = self._zeros()
-        self.starts = [self._across(0, CarriedDerivatives(y, zeros, zeros, zeros), self._by_jumps(0))]
+        begun = self._across(0, CarriedDerivatives(y, zeros, zeros, zeros), self._by_jumps(0))
+        self.starts = [begun._replace(y=self._driven(legs[0], begun.y))]
         for index in range(len(legs) - 1):
             self.starts.append(self._crossed(index))
             if progress is not None and index % 64 == 0:
@@ -225,19 +228,50 @@ class Chain:
             if _jumps_at(before, here, k):
                 signals = [*here.signals[:k], before.signals[k].moved(here.start), *here.signals[k + 1 :]]
                 alone[k] = replace(here, signals=tuple(signals))
-        fields = {k: self._field_from_contact(one, *at, (0, leg.cell[1])) for k, one in alone.items()}
-        is_held = leg.side or literal or all(surely for _, surely in fields.values())
-        if index and len(alone) > 1 and (leg.is_event or not is_held):
+        if index and len(alone) > 1 and (leg.is_event or not (leg.side or literal or self._hold(alone, leg))):
             both = " and ".join(SIGNALS[k] for k in alone)
             when = f"at t = {float(leg.start):.6g} s {both} both jump, and which of them comes first"
             raise NotDifferentiable(f"this scene has no derivatives: {when} counts; change one of them slightly")
-        touches = not (index or literal or self.is_fixed) and scene.initial.v1 == scene.initial.v2
         for k, one in alone.items():
-            if touches or k != FRICTION or leg.side or last.side:
-                t = self._zeros()
-                t[self.column[names[k]]] += 1
-                jump = fields[k][0] if touches else self._field(one, *at, last.side, last.cell)
-                yield Shift(t, self._zeros(), jump, self._field(here, *at, leg.side, leg.cell))
+            if index and k == FRICTION and not (leg.side or last.side):
+                continue
+            t = self._zeros()
+            t[self.column[names[k]]] += 1
+            if index:
+                yield Shift(t, self._zeros(), self._field(one, *at, last.side, last.cell), self._field_of(leg))
+            else:
+                yield from self._begun_later(one, k, t)
+
+    def _begun_later(self, piece: ExactPiece, k: int, late: Array) -> Iterator[Shift]:
+        """Yield how the start moves where signal k begins late, up to when another piece acts.
+
+        From v1 = v2 the bodies may part in that time, to the wrong side or from a stick: a slip back follows.
+        """
+        leg, t = self.legs[0], Fraction(0)
+        here, at = leg.mode.piece, (leg.start, leg.state)
+        before, begun = (exact_knots(self.scene, (one,))[0] for one in (piece, here))
+        _, rates, *_ = derivatives(mode_in(self.scene, piece, before.mode, before.cell), t, before.state)
+        moved = rates[V1] - rates[V2]
+        if k == BELT:  # its polynomial begins late as well, its sines do not
+            waves = replace(here.signals[BELT], polynomial=())
+            moved = rates[V1] - signal_form(replace(here, signals=(*here.signals[:BELT], waves)), BELT, t, 1)
+        side, in_front = moved.sign(), self._field(piece, *at, before.mode, before.cell)
+        if begun.gap != 0 or side in (0, leg.side):
+            yield Shift(late, self._zeros(), in_front, self._field_of(leg))
+            return
+        back = self._field(here, *at, side, (0, leg.cell[1]))
+        rate = back[1] - back[3]
+        if not rate * side < 0:
+            begins = f"{SIGNALS[k]}[0] begins a little later"
+            raise NotDifferentiable(
+                f"this scene has no derivatives: where {begins} the bodies part; change it slightly"
+            )
+        yield Shift(late, self._zeros(), in_front, back)
+        yield Shift(late * (1 - moved.enclosed(flint.ctx.prec) / rate), self._zeros(), back, self._field_of(leg))
+
+    def _field_of(self, leg: Leg) -> Array:
+        """Return (x1, v1, x2, v2)' where a leg starts."""
+        return self._field(leg.mode.piece, leg.start, leg.state, leg.side, leg.cell)
 
     def _field(self, piece: ExactPiece, t: arb, state: Sequence[arb], side: int, cell: tuple[int, int]) -> Array:
         """Return (x1, v1, x2, v2)' of a state in a mode under a piece."""
@@ -247,17 +281,15 @@ class Chain:
             state[1] = state[1] if side else state[3]
         return field(mode, state, t)
 
-    def _field_from_contact(
-        self, piece: ExactPiece, t: arb, state: Sequence[arb], cell: tuple[int, int]
-    ) -> tuple[Array, bool]:
-        """Return the same in the mode that follows v1 = v2, or in both, and whether that is surely a stick."""
-        mode = mode_in(self.scene, piece, 0, cell)
-        z, others = mode.begin(state, t), mode.rows.others
-        load, edge, b = (value(sparse(others[k]), z) for k in (LOAD, EDGE, KINETIC))
-        surely, held = abs(load) < edge, self._field(piece, t, state, 0, cell)
-        push = load if surely else load.min(b).max(-b)
-        one, two = (Ball.number(k) * (load - push) for k in (self.bodies.inverse_1, self.bodies.inverse_2))
-        return held + np.array([arb(0), one, arb(0), -two]), bool(surely)
+    def _hold(self, pieces: dict[int, ExactPiece], leg: Leg) -> bool:
+        """Return whether the load stays below the edge for sure under each of some pieces, where a leg starts."""
+        loads = []
+        for one in pieces.values():
+            mode = mode_in(self.scene, one, 0, (0, leg.cell[1]))
+            z, others = mode.begin(leg.state, leg.start), mode.rows.others
+            load, edge = (value(sparse(others[k]), z) for k in (LOAD, EDGE))
+            loads.append(bool(abs(load) < edge))
+        return all(loads)
 
 
 def _in_front(here: ExactPiece, scene: Scene) -> ExactPiece:

@@ -32,17 +32,19 @@ from flint import arb
 from numerics.arithmetic.ball import EXACT, Ball, digits_within, exact_middle
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic
-from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
+from numerics.errors import EventUndecided, InvalidScene, NotDifferentiable, OutOfRange
 from numerics.habits import right_word
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
 from numerics.meter import meter
+from numerics.scene import Scene
 from numerics.scene.decimals import shown
 from numerics.scene.model import parameters, require_kind
 from numerics.trajectory.answer import Side
 from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.comparison import as_ball
 from numerics.trajectory.rendering import with_radius
+from numerics.trajectory.rows import same_ball
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
 from numerics.trajectory.times import exact_time
@@ -106,7 +108,8 @@ def sensitivities(
     """Return the sensitivities of a trajectory; with `t`, the derivatives of (x1, v1, x2, v2) at the time(s) t (s).
 
     `wrt` are names of `parameters(scene)`, in the order of the last axis; only these are computed. Left out: all of
-    them, but for the numbers of a signal of more than 100 pieces. By the b = 0 of a piece there is no derivative.
+    them, but for the numbers of a signal of more than 100 pieces. By a b = 0, of the pair or a piece, there is
+    none, and none by a1 = 0 where the wall jumps.
 
     With `t` an array of shape (4, p) for a number, (4, p, ...) for an array of any shape: partial derivatives at that
     fixed time (0 by `until`). At an event they jump, and `side`
@@ -142,14 +145,17 @@ def sensitivities(
         arrays = (found.t, found.y, found.final, found.energy)
         return Sensitivity(found.wrt, *(_as_numbers(trajectory.arithmetic, one) for one in arrays))
     asked, own_rows = np.asarray(t, dtype=object), trajectory.row_at(t, side)
+    begun = _rows_begun(trajectory, t)
 
     def at_times(balls: Trajectory, chain: Chain) -> tuple[Array, ...]:
         def slopes(rows: Counts, since: Array) -> Array:
-            return np.reshape([chain.at(*one) for one in zip(rows, since, strict=True)], (len(rows), -1)).T
+            found = [chain.at(*one) for one in zip(rows, since, strict=True)]
+            return np.reshape(found, (len(rows), 4 * len(chain.column))).T
 
         exact = (as_ball(one if hasattr(one, "man_exp") else exact_time(one)) for one in asked.flat)
         times = np.fromiter(exact, object, asked.size)
         if trajectory.arithmetic.name == "ball":
+            times[[*begun]] = balls.row_times[[*begun.values()]]
             found = balls.row_values(slopes, times, side)
         else:  # an event is where the trajectory has it, as rounded as that is
             found = slopes(own_rows, times - balls.row_times[own_rows])
@@ -160,20 +166,50 @@ def sensitivities(
     return states.reshape(*states.shape[:2], *asked.shape)
 
 
+def _rows_begun(trajectory: Trajectory, t: Times) -> dict[int, int]:
+    """Return which of some times begin a row of a run in balls, at an event or with a piece, and that row.
+
+    The same run with other digits has another ball there.
+    """
+    if trajectory.arithmetic.name != "ball":
+        return {}
+    with trajectory.context():
+        times, rows = trajectory._times(t).ravel(), trajectory.row_at(t)
+        both = enumerate(zip(times, rows.tolist(), strict=True))
+        return {place: row for place, (time, row) in both if same_ball(trajectory.row_times[row], time)}
+
+
 def _names(trajectory: Trajectory, wrt: Sequence[str] | None) -> tuple[str, ...]:
     """Return the names of the numbers by which to derive. Raises ValueError for what names none."""
-    scene = trajectory.scene
-    known = {name: one for name, one in parameters(scene).items() if one or not name.endswith("].b")}
+    scene, numbers = trajectory.scene, parameters(trajectory.scene)
+    known = {name: one for name, one in numbers.items() if one or not _is_b(name)}
+    if not _takes_damper(scene):
+        del known["a1"]
     if wrt is None:
         tables = tuple(f"{name}[" for name, pieces in scene.pieces.items() if len(pieces) > _MOST_PIECES)
         return tuple(name for name in known if not name.startswith(tables))
     if isinstance(wrt, str) or not (names := tuple(wrt)):
         raise ValueError(f'wrt = {shown(wrt)} must be names of numbers of the scene, such as ["b", "m1"]')
     for name in names:
+        if name in numbers and name not in known:
+            raise ValueError(f"wrt names {shown(name)}, which is 0: by that there is no derivative; leave it out")
         if name not in known or names.count(name) > 1:
             why = "once each" if name in known else right_word(str(name), [*known])
             raise ValueError(f"wrt names {shown(name)}, which is no number of this scene, or twice: {why}")
     return names
+
+
+def _takes_damper(scene: Scene) -> bool:
+    """Return whether a scene may have a damper: not where the wall jumps, which would be a blow through it."""
+    try:
+        return scene.pair.a1 > 0 or bool(scene.replace(a1=1))
+    except InvalidScene:
+        return False
+
+
+def _is_b(name: str) -> bool:
+    """Return whether a number is the b of the pair or of a piece; that of a point may be 0 beside what is by place."""
+    return name == "b" or (name.startswith("friction[") and name.endswith("].b"))
 
 
 def enclosures(trajectory: Trajectory, names: tuple[str, ...] | None = None) -> Sensitivity:

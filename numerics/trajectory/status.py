@@ -38,7 +38,7 @@ _SENTENCES = {
     Status.REACHED_HORIZON: "reached the horizon",
     Status.STUCK_FOR_EVER: "reached the horizon; the pair sticks permanently",
     Status.EVENT_LIMIT: "stopped at the limit on events before the horizon; raise max_events",
-    Status.OUT_OF_RANGE: "left the range of float64; solve(scene) goes on in balls, which have no such limit",
+    Status.OUT_OF_RANGE: "left the range of float64, or the steps that it takes; solve(scene) goes on in balls",
     Status.SEQUENCE_OPEN: "the error bounds do not decide the sequence of events; solve(scene) goes on in balls",
     Status.NO_RIGHT_DIGIT: "reached the horizon, but no digit of a quantity is right; request digits",
 }

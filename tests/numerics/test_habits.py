@@ -32,6 +32,12 @@ def test_a_scene_with_another_belt_has_its_velocity():
     assert float(load_scene("belt").replace(belt=Force.step(0, "0.2")).initial.v2) == 0.2
 
 
+def test_without_a_belt_replacing_it_by_none_keeps_v2():
+    """It became 0."""
+    scene = Scene(Pair(1, 1, 200, "0.05"), State(v2="0.42"), 5)
+    assert scene.replace(belt=Force()) == scene
+
+
 def test_balls_have_their_radii_as_accuracy():
     run = solve(PAPER, digits=20)
     assert "ledger" not in vars(run)  # of 20,000 events it takes seconds: it is formed for `dissipated` alone

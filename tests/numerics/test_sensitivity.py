@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from differences import DIGITS, STEP, deviation, everything, moved, parameters
+from differences import DIGITS, STEP, deviation, everything, is_first_start, moved, parameters
 from every_number import derivatives
 from flint import arb
 from hypothesis import example, given
@@ -29,7 +29,7 @@ from numerics import (
     sensitivities,
     solve,
 )
-from numerics.trajectory import variation
+from numerics.trajectory import sensitivity, variation
 from numerics.trajectory.run import free_scene
 from numerics.trajectory.trajectory import Trajectory
 
@@ -159,6 +159,37 @@ def test_a_force_from_the_start_on_breaks_a_stick_towards_either_side(height, na
     assert deviation(base, {name: Fraction(1)}, (1,)).size < 1e-50
 
 
+ON_GROUND, SLOWING = Pair(1, "inf", 4, 1), Force([Piece(0, ["0.3", "-0.4"])])
+FROM_THE_START = {
+    "a block on the ground is pushed from rest": Scene(ON_GROUND, State(), 1, force=Force.step(0, 3)),
+    "its spring is drawn": Scene(ON_GROUND, State(), 1, wall=Force.step(0, "0.9")),
+    "it slips on a belt": Scene(ON_GROUND, State(v1=1), "0.5", belt=SLOWING),
+    "it goes with the belt": Scene(ON_GROUND, State(v1="0.3"), 1, belt=SLOWING),
+    "it goes with the belt, and friction falls": Scene(
+        ON_GROUND, State(v1="0.3", x1="0.2"), 1, belt=SLOWING, friction=Friction([(0, "0.5")])
+    ),
+    "the belt starts under it": Scene(ON_GROUND, State(), 1, belt=Force([Piece(0, [0, "0.3"], [Sine(1, 2)])])),
+    "friction begins to hold": Scene(PAIR, State(x1="0.001"), 1, friction=Friction([(0, "0.5")])),
+    "a force turns a slip": Scene(PAIR, State(x1="0.001"), 1, force=Force.step(0, "0.6")),
+}
+
+
+@pytest.mark.parametrize("scene", FROM_THE_START.values(), ids=FROM_THE_START)
+def test_what_begins_at_the_start_may_begin_later(scene):
+    """One by one, from v1 = v2 too: it was wrong on the ground or a belt, and where a short slip follows."""
+    base = in_balls(scene)
+    for name in parameters(scene):
+        if is_first_start(scene, name):
+            assert deviation(base, {name: Fraction(1)}, (1,)).size < 1e-30  # of second order, where friction holds
+
+
+def test_what_friction_read_literally_would_not_bring_back_has_no_derivative():
+    """A belt that begins late leaves the stick behind, which no friction b could hold."""
+    scene = Scene(ON_GROUND, State(x1=1), 1, "three-valued-sgn", belt=Force.sine(1, 2))
+    with pytest.raises(NotDifferentiable, match=r"where belt\[0\] begins a little later"):
+        sensitivities(solve(scene))
+
+
 # at any time
 
 FOLLOWED = scenes_in("followed")
@@ -182,8 +213,52 @@ def test_derivatives_at_the_ends_are_those_of_start_and_end_and_at_an_event_thos
             assert all(abs(one).lower() < 1e-6 for one in (found_there - beside).flat)
 
 
+@pytest.mark.parametrize("arithmetic", ["float64", "mpmath", "ball"])
+def test_at_no_times_there_are_no_derivatives(arithmetic):
+    assert sensitivities(solve(load_scene("velocities"), arithmetic=arithmetic), []).shape == (4, 9, 0)
+
+
 def test_a_jump_of_the_force_has_two_sides():
     run = solve(Scene(Pair(1, 1, 200, "0.2", "0.5"), State(), 2, force=Force.step(1, "0.2")))
     start = list(parameters(run.scene)).index("force[0].from")
     assert (sensitivities(run, 1, "left")[:, start] == 0).all()
     assert sensitivities(run, 1)[1, start] == pytest.approx(-0.1)  # both bodies go on, and later
+
+
+def test_in_balls_a_jump_at_a_time_that_no_float_holds_has_two_sides():
+    """One ball held both of them."""
+    jump = Fraction(17, 10)
+    run = in_balls(Scene(Pair(1, 1, 200, "0.2", "0.5"), State(), 2, force=Force.step(jump, "0.2")), 20)
+    before, after = (sensitivities(run, jump, side, ["force[0].from"]) for side in ("left", "right"))
+    assert (before == 0).all()
+    assert [one.str(20, radius=False) for one in after[1::2].flat] == ["-0.10000000000000000000"] * 2
+    assert all(abs(one) < 1e-20 for one in after[::2].flat)
+
+
+def test_an_event_is_that_event_also_where_derivatives_need_more_digits_than_the_run_has(monkeypatch):
+    run, tried = solve(load_scene("belt"), digits=15, arithmetic="ball"), []
+    honest = sensitivity.run_scene
+    monkeypatch.setattr(sensitivity, "run_scene", lambda *given: tried.append(given) or honest(*given))
+    for side in ("left", "right"):
+        assert all(one.rad() < 1e-12 for one in sensitivities(run, run.events[-1].t, side).flat)
+    assert tried
+
+
+def test_by_the_damper_there_is_no_derivative_where_the_wall_jumps():
+    """A jump would be a blow through it: such a scene is refused, and what was returned left the blow out."""
+    for place, has_one in (
+        (Force.step("0.5", 1), False),
+        (Force.ramp("0.5", "0.6", 1), True),
+        (Force.step(0, 1), True),
+    ):
+        run = solve(Scene(Pair(1, 1, 4, "0.1"), State(v1=1), 1, wall=place))
+        assert ("a1" in sensitivities(run).wrt) is has_one
+
+
+@pytest.mark.parametrize("m2", [1, "inf"])
+def test_by_a_b_that_is_0_there_is_no_derivative(m2):
+    """It was 0, where friction of any b > 0 slows the motion down."""
+    run = solve(Scene(Pair(1, m2, 4, 0), State(v1=1), 1))
+    assert "b" not in sensitivities(run).wrt
+    with pytest.raises(ValueError, match="'b', which is 0: by that there is no derivative"):
+        sensitivities(run, wrt=["b"])

@@ -13,7 +13,7 @@ from numerics.linear.modes import Mode
 from numerics.trajectory.status import Status
 
 M1, A2, B = Fraction(2), Fraction(50), Fraction(4)
-OMEGA, EDGE = 5.0, B / A2
+OMEGA, EDGE, NOTHING = 5.0, B / A2, Force()
 
 
 def on_the_ground(start, **more):
@@ -58,16 +58,37 @@ def pulled(**start):
     return Scene(Pair(m1=M1, m2="inf", a2=A2, b=B), State(**start), until=10, wall=Force.ramp(0, 10, 3))
 
 
-CYCLES = [riding("0.3"), riding("0.3", x1="0.01", v1="0.3"), riding("0.3", v1="0.3"), pulled(), pulled(x1="0.01")]
+def loaded(wall=NOTHING, **start):
+    return Scene(Pair(m1=M1, m2="inf", a2=A2, b=B), State(**start), until=10, force=Force.ramp(0, 10, 150), wall=wall)
+
+
+LOADED = [loaded(), loaded(x1="0.01"), loaded(Force.ramp(0, 10, 2)), loaded(Force.constant("0.07"))]
+CYCLES = [
+    *LOADED,
+    riding("0.3"),
+    riding("0.3", x1="0.01", v1="0.3"),
+    riding("0.3", v1="0.3"),
+    pulled(),
+    pulled(x1="0.01"),
+]
 
 
 @pytest.mark.parametrize("scene", CYCLES)
 def test_a_cycle_that_only_touches_the_speed_of_the_belt_goes_on(scene):
-    """After its exit it is a circle of the belt's speed about the edge, without another event; so if the wall moves."""
+    """After its exit it is a circle of the belt's speed about the edge, without another event.
+
+    So if the wall moves, and if a force grows at a constant rate.
+    """
     run = motion(scene)
     assert run.success
     assert run.modes[-1] is (Mode.SLIP_MINUS if scene.belt.pieces else Mode.SLIP_PLUS)
     assert float(run.event_times[-1]) < 1
+
+
+def test_a_force_that_grows_as_the_wall_draws_back_lets_the_body_rest():
+    """It starts at the edge, and the load stays as it is."""
+    run = solve(loaded(-1 * Force.ramp(0, 10, 3), x1=-EDGE), digits=20)
+    assert (run.events, run.final_mode) == ((), Mode.STICK)
 
 
 @pytest.mark.parametrize(("speed", "then"), [("0.32", []), ("0.321", []), ("1", []), ("0.3199", ["stick", "slip-"])])

@@ -46,6 +46,18 @@ def test_an_oblique_line_is_the_pair_of_the_paper_digit_for_digit(later):
         assert (3 * y - 4 * x).contains(0) == (not later)
 
 
+BALANCED = [Force.constant("1/3"), Force.constant("0.1")]
+
+
+@pytest.mark.parametrize("more", [{}, {"friction": [("1/7", 1)]}, {"x1": ["1/3", "0.1"], "force": BALANCED}])
+def test_what_rests_up_to_a_time_that_no_float_holds_has_its_digits(more):
+    """Zeros that are known but for rounding had none, beside a largest number that is 0 too."""
+    run = solve(PlaneScene(PlanePair(1, 1, 1, 1), "0.6", **more))
+    assert (run.success, run.digits, run.events) == (True, 15, ())
+    with run.context():
+        assert all(abs(one) < 1e-30 for one in run.final_state.v1 + run.final_state.v2)
+
+
 def test_a_slip_passes_through_rest_where_an_ellipse_draws_it_there():
     """b_x^2 kap > b_y kap (b_y + |Lam|): an open set of slips meets v1 = v2 and leaves at once; a round one turns."""
     push = [Force(), Force((Piece(0, ["0.6"]),))]
