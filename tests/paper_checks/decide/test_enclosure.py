@@ -8,25 +8,13 @@ from numerics import Mode, load_scene
 from paper_checks.decide.balls import precision
 from paper_checks.decide.enclosure import ball, compare, itinerary, rounded, solved, stuck_for_ever
 
-WIDE = arb(1, 0.5)
+from .formulas import asked
 
 
-@pytest.mark.parametrize(
-    ("left", "relation", "right", "passed"),
-    [
-        (arb(1), "<", arb(2), True),
-        (arb(2), "<", arb(1), False),
-        (arb(1), "<", arb(1), False),
-        (arb(2), ">", arb(1), True),
-        (WIDE, "<", arb(1), None),
-        (WIDE, "<", arb("1.2"), None),
-        (arb("1.2"), ">", WIDE, None),
-        (arb("nan"), "<", arb(1), None),
-        (arb(0), "<", arb("inf"), None),
-    ],
-)
-def test_a_comparison_is_proved_or_disproved_or_open(left, relation, right, passed):
-    assert compare("balls", left, relation, right).passed is passed
+@pytest.mark.parametrize(("compared", "passed"), asked("comparisons"))
+def test_a_comparison_is_proved_or_disproved_or_open(compared, passed):
+    left, relation, right = compared
+    assert compare("balls", arb(left), relation, arb(right)).passed is passed
 
 
 def test_an_itinerary_has_to_be_the_proved_one():
