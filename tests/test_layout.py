@@ -35,43 +35,18 @@ def test_imports_point_one_way(package):
 
 
 LAYERS = {
-    "numerics": (
-        ("errors",),
-        ("habits",),
-        ("exits", "files", "tasks"),
-        ("shown", "meter"),
-        ("scene",),
-        ("arithmetic",),
-        ("linear",),
-        ("free",),
-        ("trajectory",),
-        ("plane",),
-        ("solver",),
-        ("control",),
-        ("trade",),
-        ("cli",),
-        ("__main__",),
-    ),
-    "paper_checks": (
-        ("errors", "atomic"),
-        ("store",),
-        ("evidence", "proofs"),
-        ("decide",),
-        ("claims",),
-        ("derivation",),
-        ("running",),
-        ("drawing", "explore"),
-        ("report",),
-        ("__main__",),
-    ),
-    "paper_checks.report": (("mathematics",), ("content",), ("formats",), ("output",)),
+    "numerics": """errors < habits < exits files tasks < shown meter < scene < arithmetic < linear < free < trajectory
+        < plane < solver < control < trade < cli < __main__""",
+    "paper_checks": """errors atomic < store < evidence proofs < decide < claims < derivation < running
+        < drawing explore < report < __main__""",
+    "paper_checks.report": "mathematics < content < formats < output",
 }
 """The subpackages, lowest layer first; each imports only from lower layers and from itself."""
 
 
 def climbing(path: Path, package: str, subpackage: str) -> set[str]:
     """Return what a file imports from its own layer, other than its own subpackage, or from a higher one."""
-    layer = {name: number for number, subpackages in enumerate(LAYERS[package]) for name in subpackages}
+    layer = {name: number for number, names in enumerate(LAYERS[package].split("<")) for name in names.split()}
     modules = [one.removeprefix(f"{package}.") for one in imported_modules(path) if one.startswith(f"{package}.")]
     used = {one.split(".")[0] for one in modules} & layer.keys()
     return {one for one in used - {subpackage} if layer[one] >= layer[subpackage]}
