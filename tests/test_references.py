@@ -1,5 +1,6 @@
 """Every kind of scene on a line against the law itself, which is seen to notice a scene that is off by little."""
 
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from types import SimpleNamespace
@@ -67,6 +68,15 @@ def test_the_motion_of_a_scene_that_is_off_by_little_is_none_of_this(scene):
         by = Fraction(1, 10 ** (8 if name.endswith("from") else 16))
         other = moved(scene, {name: by})
         assert other is None or next(faults(run, other), ""), name
+
+
+def test_a_slip_that_begins_too_early_is_none():
+    """Where static friction still holds, by a part in 1e8, or a stick is never left."""
+    run = motion(SIGNALS["static-friction-under-a-sine"])
+    pair, literal = run.scene.pair, run.scene.replace(law=Law.THREE_VALUED_SGN)
+    stronger = run.scene.replace(pair=replace(pair, b_static=pair.b_static * (1 + Fraction(1, 10**8))))
+    for scene in (stronger, literal):
+        assert any(one.startswith("a slip that begins too early") for one in faults(run, scene))
 
 
 @pytest.mark.parametrize("longer", ["1e-9", "0.01"])
