@@ -5,10 +5,10 @@ import graphlib
 import re
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
-from imported import imported_modules
 
 ROOT = Path(__file__).resolve().parent.parent
 COMPILED = ROOT / "numerics" / "arithmetic" / "compiled.py"
@@ -19,6 +19,19 @@ FORBIDDEN = {
 }
 EXACT = ROOT / "theory" / "fraction.py"
 """It takes polynomials from flint, and none of its balls."""
+
+
+@cache
+def imported_modules(path: Path) -> set[str]:
+    """Return the modules that a module imports, lazily or not, by their full names; of `from a import b` a and a.b."""
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert not node.level, f"{path}: a relative import"
+            found |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+    return found
 
 
 @pytest.mark.parametrize("package", sorted(FORBIDDEN))
