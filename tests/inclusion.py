@@ -16,6 +16,7 @@ from functools import partial
 from itertools import pairwise
 from typing import Any
 
+import overlapping
 from flint import arb
 
 from numerics import Law, Scene, solve
@@ -42,8 +43,7 @@ def motion(scene: Scene, **how: Any) -> Any:
 
 def overlap(one: Any, two: Any) -> bool:
     """Return whether two runs in balls may be of the same motion."""
-    ends = [[*run.event_times, *run.event_states.ravel(), *run.final_state] for run in (one, two)]
-    return one.signs == two.signs and all(a.overlaps(b) for a, b in zip(*ends, strict=True))
+    return overlapping.overlap(*((run.signs, run.event_times, run.event_states, run.final_state) for run in (one, two)))
 
 
 def faults(run: Any, scene: Scene | None = None, digits: int = DIGITS) -> Iterator[str]:

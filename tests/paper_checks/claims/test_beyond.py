@@ -53,9 +53,8 @@ def growth(*parts):
 
 @pytest.mark.parametrize("order", [HALF, Fraction(1, 3), Fraction(3, 2)])
 def test_one_part_at_a_fraction_grows_as_stated(order):
-    push = 4
-    known = {b: B, m1: M1, natural: OMEGA, critical.push: push, critical.order: order}
-    assert growth((push, order, 0.3)) == pytest.approx(float(critical.growth_by_one_part().subs(known)), rel=0.02)
+    known = {b: B, m1: M1, natural: OMEGA, critical.push: 4, critical.order: order}
+    assert growth((4, order, 0.3)) == pytest.approx(float(critical.growth_by_one_part().subs(known)), rel=0.02)
 
 
 @pytest.mark.parametrize(
