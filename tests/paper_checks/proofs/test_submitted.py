@@ -12,7 +12,6 @@ from numerics import Force, Friction, Pair, Scene, State, load_scene, solve
 from numerics.trajectory import theorem as writer
 from numerics.trajectory.theorem import theorem
 from paper_checks.proofs import submitted
-from paper_checks.proofs.__main__ import main
 from paper_checks.proofs.audit import CLASSICAL_REALS
 from paper_checks.proofs.sources import FOLDER
 from paper_checks.proofs.submitted import judged
@@ -139,19 +138,6 @@ def test_an_axiom_beyond_the_classical_reals_is_not_accepted(monkeypatch, axiom)
     taken = "Axioms:\n" + "".join(f"{one} : Prop\n" for one in (*CLASSICAL_REALS, axiom))
     monkeypatch.setattr(submitted.audit, "run", lambda *_: {"taken": taken})
     assert f"rests on {axiom}" in submitted._asked(None).reason
-
-
-@pytest.fixture
-def command(monkeypatch, capsys):
-    def run(*words):
-        monkeypatch.setattr("sys.argv", ["paper_checks.proofs", *map(str, words)])
-        try:
-            code = main()
-        except SystemExit as stop:
-            code = stop.code
-        return code, *capsys.readouterr()
-
-    return run
 
 
 def test_without_the_kernel_a_file_is_unchecked_and_a_name_that_is_no_file_is_bad_usage(command, monkeypatch, tmp_path):
