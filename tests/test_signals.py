@@ -1,7 +1,5 @@
 """Scenes under signals: ties, long sticks, many digits, a force of zero, slips that end at once."""
 
-from fractions import Fraction
-
 import pytest
 from flint import arb
 from hypothesis import given
@@ -11,7 +9,7 @@ from reaching import LeftOut, reaching
 from sixty_digits import forced_scene
 from strategies import MODERATE, pairs, states
 
-from numerics import EventUndecided, Force, NumericsError, OutOfRange, Pair, Piece, Scene, Sine, State, solve
+from numerics import EventUndecided, Force, NumericsError, OutOfRange, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.precision import precision
 from numerics.trajectory.status import Status
 
@@ -20,30 +18,38 @@ def run(scene, digits=30, **how):
     return solve(scene, arithmetic="ball", digits=digits, **how)
 
 
-ON_GROUND, WITHOUT = Pair(1, "inf", 0, 1, b_static="1.5"), Pair(1, 2, 0, 0)
+def pushed(*polynomial):
+    return Force([Piece(0, polynomial)])
+
+
+ON_GROUND, WITHOUT, SLIPPERY = Pair(1, "inf", 0, 1, b_static="1.5"), Pair(1, 2, 0, 0), Pair(1, 1, 0, "0.01")
 
 
 @pytest.mark.parametrize(
-    ("pair", "v", "piece", "mode"),
+    ("pair", "v", "force", "mode"),
     [
-        *[(ON_GROUND, 0, [pulls], mode) for pulls, mode in ((["1.5"], 0), (["1.5", 1], 1), (["1.5", -1], 0), ([2], 1))],
-        *[(WITHOUT, 1, [load], mode) for load, mode in (((), 0), ((0, 1), 1), ((0, -1), -1), ((0, 0, -1), -1))],
-        *[
-            (Pair(1, 1, 0, "0.01"), 0, [(), [Sine(1, 1, at)]], mode)
-            for at, mode in (("1/3", 1), ("-1/3", -1), (-7, -1))
-        ],
+        (ON_GROUND, 0, pushed("1.5"), 0),
+        (ON_GROUND, 0, pushed("1.5", 1), 1),
+        (ON_GROUND, 0, pushed("1.5", -1), 0),
+        (ON_GROUND, 0, pushed(2), 1),
+        (WITHOUT, 1, pushed(), 0),
+        (WITHOUT, 1, pushed(0, 1), 1),
+        (WITHOUT, 1, pushed(0, -1), -1),
+        (WITHOUT, 1, pushed(0, 0, -1), -1),
+        (SLIPPERY, 0, Force.sine(1, 1, "1/3"), 1),
+        (SLIPPERY, 0, Force.sine(1, 1, "-1/3"), -1),
+        (SLIPPERY, 0, Force.sine(1, 1, -7), -1),
     ],
 )
-def test_a_tie_is_decided_by_the_first_derivative_of_the_load_and_a_sine_by_its_phase(pair, v, piece, mode):
+def test_a_tie_is_decided_by_the_first_derivative_of_the_load_and_a_sine_by_its_phase(pair, v, force, mode):
     """At static friction, without friction, and from rest."""
-    until = 1 if len(piece) == 1 else "0.01"
-    assert run(Scene(pair, State(v1=v, v2=v), until, force=Force([Piece(0, *piece)]))).signs == [mode]
+    assert run(Scene(pair, State(v1=v, v2=v), "0.01", force=force)).signs == [mode]
 
 
 def test_long_sticks_on_a_belt_and_under_every_signal_are_gone_through_at_once():
     still = Scene(Pair(1, "inf", 30, 1, "0.1", b_static="1.6"), State("0.01", "0.1"), 10**9)
     assert run(still).status is Status.STUCK_FOR_EVER
-    wall, pull = Force([Piece(0, (), [Sine("0.01", 40)])]), Force([Piece(0, (1,), [Sine("0.1", 3)])])
+    wall, pull = Force.sine("0.01", 40), Force.constant(1) + Force.sine("0.1", 3)
     shaken = Scene(Pair(1, 2, 30, 1, "0.1"), State("0.01", "0.1"), 10**6, force_2=pull, wall=wall)
     assert overlap(run(shaken, 40), run(shaken, 80))
 
@@ -79,7 +85,7 @@ def test_a_force_of_zero_is_no_force(pair, data):
 
 def test_what_begins_at_a_tie_of_high_order_may_end_soon():
     """With u = 2 b + c t^2/2 - d t^3/6 and a soft spring a slip begins at once and ends at 4 c/d, nearly."""
-    force = Force((Piece(0, (2, 0, Fraction(1, 2), -10)),))
+    force = pushed(2, 0, "0.5", -10)
     for arithmetic in ("ball", "float64"):
         found = solve(Scene(Pair(1, 1, "1e-6", 1), State(), 1, force=force), arithmetic=arithmetic)
         assert found.signs == [1, 0, -1]
