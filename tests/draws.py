@@ -36,6 +36,11 @@ def rate(stiffness: Fraction, mass: Fraction) -> Fraction:
     return Fraction(math.sqrt(stiffness / mass))
 
 
+def units(of: Pair) -> tuple[Fraction, Fraction]:
+    """Return L and L Omega of a pair, m and m/s."""
+    return of.half_width, of.half_width * rate(of.a2, of.mass)
+
+
 def pair(
     random: Random,
     exponents: Range = (-2, 2),
@@ -64,8 +69,7 @@ def pair(
 
 def state(random: Random, of: Pair, size: Range = (-1, 0), u: Any = 0) -> State:
     """Return a state in units of a pair: any, on S, at rest, on the edge of S under a force u, in a slip from there."""
-    width = of.half_width
-    speed = width * rate(of.a2, of.mass)
+    width, speed = units(of)
     x1, v1, x2, v2 = (random.choice((0, 1, 1)) * signed(random, *size) * one for one in (width, speed) * 2)
     kind = random.choice(("any", "on S", "at rest", "on the edge", "from the edge"))
     if kind == "at rest":
@@ -94,19 +98,19 @@ def scene(
 def near_critical(random: Random, decades: Range = (3, 300), damped: bool | None = False, **given: Any) -> Scene:
     """Return a pair that leaves S, or at rest beside it, with an energy excess of 10^-n, n within the decades."""
     of, (few, many) = pair(random, damped=damped, **given), decades
-    width, omega, side = of.half_width, rate(of.a2, of.mass), random.choice((-1, 1))
-    v = side * width * omega * decimal(random, -many // 2, -few // 2)
+    (width, speed), side = units(of), random.choice((-1, 1))
+    v = side * speed * decimal(random, -many // 2, -few // 2)
     beside = State(x1=side * width * (1 + decimal(random, -many, -few)))
     at = random.choice((State(side * width, v, 0, v), beside))
-    return Scene(of, at, _PERIOD * random.randint(1, 3) / omega)
+    return Scene(of, at, _PERIOD * random.randint(1, 3) * width / speed)
 
 
 def long_slip(random: Random, damped: bool | None = False, turns: Range = (0, 3)) -> Scene:
     """Return a pair whose body 2 is so fast that one slip lasts many spring cycles, exponents within the turns."""
     of = pair(random, damped=damped)
-    width, omega = of.half_width, rate(of.a2, of.mass)
-    x1, v1, fast = signed(random, -1, 0), signed(random, -1, 0), signed(random, *turns) * 6 * width * omega
-    return Scene(of, State(x1 * width, v1 * width * omega, 0, fast), 2 * abs(fast) * of.m2 / of.b + 1 / omega)
+    width, speed = units(of)
+    x1, v1, fast = signed(random, -1, 0), signed(random, -1, 0), signed(random, *turns) * 6 * speed
+    return Scene(of, State(x1 * width, v1 * speed, 0, fast), 2 * abs(fast) * of.m2 / of.b + width / speed)
 
 
 def root(square: Fraction) -> Fraction:
@@ -125,7 +129,7 @@ def of_energy(
     of, w = pair(random, (-9, 9), ratios=ratios), decimal(random, *decades)
     if below and random.choice((True, False)):
         w = -decimal(random, decades[0], -1)
-    width, unit = of.half_width, of.half_width * rate(of.a2, of.mass)
+    width, unit = units(of)
     x1, v1, v2 = (signed(random, -3, 0) * one for one in (random.choice((width, 100 * width)), unit, unit))
     v2 = v1 if on_surface else random.choice((v1, v2))
     factor = root(of.critical_energy * (1 + w) / Scene(of, State(x1, v1, 0, v2), 1).energy)
@@ -174,7 +178,7 @@ def weakened(random: Random, **more: Any) -> Scene:
     """Return a scene whose friction falls and rises with speed, at knots where it goes, and changes by place."""
     given = driven(random, 1, **more)
     of, b = given.pair, given.pair.b
-    width, fast = of.half_width, of.half_width * rate(of.a2, of.mass)
+    width, fast = units(of)
     knots = sorted({decimal(random, -2, 0) for _ in range(random.randint(0, 3))})
     places = sorted({signed(random, -1, 0) for _ in range(random.choice((0, 2)))})
     table = Weakening(

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from flint import arb
+from overlapping import overlap
 
 from numerics import Force, Friction, Pair, Piece, Scene, State, Weakening
 from numerics.arithmetic.ball import Ball
@@ -31,9 +32,8 @@ def numbers(scene, row):
 
 def same(one, two):
     """Whether two runs of a scene may be of the same motion."""
-    sides = [[numbers(scene, row) for row in (*events(found), found.end)] for scene, found in (one, two)]
-    pairs = [pair for rows in zip(*sides, strict=True) for pair in zip(*rows, strict=True)]
-    return itinerary(one[1]) == itinerary(two[1]) and all(a.overlaps(b) for a, b in pairs)
+    rows = ([numbers(scene, row) for row in (*events(found), found.end)] for scene, found in (one, two))
+    return itinerary(one[1]) == itinerary(two[1]) and overlap(*rows)
 
 
 BELT, EVEN, STICKY = Pair(10_000, 1, 100, "0.5"), Pair(2, 2, "1e-9", "0.5"), Pair(2, 1, 12, 1, 100)

@@ -28,7 +28,6 @@ DIGITS, EVENTS, SHOWN = (60, 240, 1000), 40, 19
 LEAST = arb("1e-322")
 SIDES = "left", "right"
 FLOWED = ("sol", "reduced")
-CONSTANTS, WEIGHTS = ("m1", "m2", "a1", "a2"), ("a2", "m1", "", "m2")
 
 
 def _names(text: str) -> set[str]:
@@ -96,7 +95,7 @@ class Bounded:
     def __init__(self, run: Any) -> None:
         """Read them off the record."""
         self.run, rows, end, pair = run, run.record.rows, run.record.end, run.scene.pair
-        self.u, self.pair = ROUNDING, {name: float(getattr(pair, name)) for name in CONSTANTS}
+        self.u, self.m1, self.m2, self.a1, self.a2 = ROUNDING, *map(float, (pair.m1, pair.m2, pair.a1, pair.a2))
         self.length, self.rate, self.critical = run.floats(list(run.units))
         errors = slice(AT["x1_error"], AT["x1_error"] + 4)
         states = np.abs(run.floats(run.row_states))
@@ -108,15 +107,15 @@ class Bounded:
             states = np.column_stack([states, np.abs(run.floats(list(run.final_state)))])
             self.t, self.w = np.append(self.t, run.end_bounds()[0]), np.append(self.w, end[AT["speed_error"]])
             self.y = np.column_stack([self.y, run.accuracy.final])
-        self.sizes, self.weights = states.max(axis=1), np.array([self.pair[k] if k else 0.0 for k in WEIGHTS])
+        self.sizes, self.weights = states.max(axis=1), np.array([self.a2, self.m1, 0.0, self.m2])
         self.push = max((self._height(one) for one in run.pieces), default=0.0)
-        held = max(float(one.b) for one in run.pieces)
-        pull = self.pair["a2"] * self.sizes[0] + self.pair["a1"] * self.sizes[1] + self.push
-        self.fast = (pull + held) / min(self.pair["m1"], self.pair["m2"])
-        off = self.rows + self.late * np.array([[self.sizes[1]], [self.fast], [self.sizes[3]], [self.fast]])
+        self.held, self.lighter = max(float(one.b) for one in run.pieces), min(self.m1, self.m2)
+        pull = self.a2 * self.sizes[0] + self.a1 * self.sizes[1] + self.push
+        fast = (pull + self.held) / self.lighter
+        self.speeds = np.array([[self.sizes[1]], [fast], [self.sizes[3]], [fast]])
+        off = self.rows + self.late * self.speeds
         self.norms, self.places = np.sqrt(self.weights) @ off, off[0] + off[2]
-        mass = self.pair["m1"] + self.pair["m2"]
-        self.kappa = math.sqrt(mass / self.pair["m1"] / self.pair["m2"])
+        self.kappa = math.sqrt((self.m1 + self.m2) / self.m1 / self.m2)
 
     @staticmethod
     def _height(piece: Any) -> float:
@@ -150,9 +149,9 @@ class Bounded:
         # at a time that the bound of an event's time reaches, the true motion may be behind the event
         is_near = (after > rows) & (starts[after] - t <= self.late[after])
         late = np.where(is_near, self.late[after], 0.0)
-        pushed = self.push / self.pair["a2"] * np.array([1.0, self.rate, 1.0, self.rate])
+        pushed = self.push / self.a2 * np.array([1.0, self.rate, 1.0, self.rate])
         norm, rounding = self.norms[rows], 64 * self.u * ((self.sizes + pushed)[:, None] + 0 * t)
-        moved = (8 * self.u * t + late) * np.array([self.sizes[1], self.fast, self.sizes[3], self.fast])[:, None]
+        moved = (8 * self.u * t + late) * self.speeds
         found = norm / np.sqrt(np.maximum(self.weights, 1e-320))[:, None] + rounding + moved
         found[2] = found[0] + self.places[rows] + self.kappa * norm * since + rounding[2] + moved[2]
         return found
@@ -160,21 +159,15 @@ class Bounded:
     @property
     def taken(self) -> float:
         """Of friction, viscosity and work over the run, and of what is left over."""
-        ledger, time, pair = self.run.ledger, float(self.run.end_time), self.pair
+        ledger, time, energy = self.run.ledger, float(self.run.end_time), self.energies(self.run.y, self.y).max()
         friction, viscous, work = (abs(float(one)) for one in (ledger.friction, ledger.viscous, ledger.work))
         largest = max(abs(float(ledger.initial)), abs(float(ledger.final)), friction, viscous, work)
-        off, N = time / math.sqrt(pair["m1"]), self.norms.max()
-        held = max(float(one.b) for one in self.run.pieces)
-        damped = 2 * math.sqrt(viscous * pair["a1"] * time) * N / math.sqrt(pair["m1"]) + pair["a1"] * off * off * N * N
-        fastest = self.rate + pair["a1"] / min(pair["m1"], pair["m2"])
+        off, N = time / math.sqrt(self.m1), self.norms.max()
+        damped = 2 * math.sqrt(viscous * self.a1 * time) * N / math.sqrt(self.m1) + self.a1 * off * off * N * N
+        fastest = self.rate + self.a1 / self.lighter
         turned = 1 + fastest * time / len(self.run.record.rows)
         rounding = self.u * (largest + self.push * (self.sizes[0] + self.sizes[2])) * (64 + 8 * math.log2(turned))
-        return self.push * N * off + 2 * held * self.kappa * N * time + damped + rounding + self.energy + 1e-322
-
-    @property
-    def energy(self) -> float:
-        """Of the energies of the run."""
-        return float(self.energies(self.run.y, self.y).max())
+        return self.push * N * off + 2 * self.held * self.kappa * N * time + damped + rounding + energy + 1e-322
 
 
 def bounds_of(run: Any, times: Any) -> Bounds:

@@ -5,9 +5,9 @@
 
 with the forces u and f, the wall's place y, the belt's speed c and b as the scene gives them at the time, b also of
 |v1 - v2| and x1 - x2. No mode, no closed form and no guard is used, and two motions from one start do not part: what
-passes everywhere is the motion. Samples crowd at both ends of each piece and where friction is nearest to its limit,
-or v1 to v2, so that a short event that was passed over is found too. That a stick ends before its static friction is
-reached is not seen here, but by scipy_reference.py.
+passes everywhere is the motion; up to where friction at rest is more than in slip: from v1 = v2 a slip may begin only
+where a stick would need more than that. Samples crowd at both ends of each piece and where friction is nearest to its
+limit, or v1 to v2, so that a short event that was passed over is found too.
 """
 
 from collections.abc import Iterator
@@ -16,6 +16,7 @@ from functools import partial
 from itertools import pairwise
 from typing import Any
 
+import overlapping
 from flint import arb
 
 from numerics import Law, Scene, solve
@@ -42,8 +43,7 @@ def motion(scene: Scene, **how: Any) -> Any:
 
 def overlap(one: Any, two: Any) -> bool:
     """Return whether two runs in balls may be of the same motion."""
-    ends = [[*run.event_times, *run.event_states.ravel(), *run.final_state] for run in (one, two)]
-    return one.signs == two.signs and all(a.overlaps(b) for a, b in zip(*ends, strict=True))
+    return overlapping.overlap(*((run.signs, run.event_times, run.event_states, run.final_state) for run in (one, two)))
 
 
 def faults(run: Any, scene: Scene | None = None, digits: int = DIGITS) -> Iterator[str]:
@@ -60,7 +60,9 @@ def faults(run: Any, scene: Scene | None = None, digits: int = DIGITS) -> Iterat
             if k and not all(a.overlaps(b) for a, b in sides):
                 yield f"a jump of the state at {begin}"
             judged = partial(law.judge, at, begin.mid(), (end - begin).mid(), sign=int(run.row_signs[k]))
-            found = {part: judged(part) for part in GRID}
+            _, v1, _, v2 = at(begin, "right")
+            found = {GRID[0]: judged(GRID[0], leaves=bool(v1.overlaps(v2)))}
+            found |= {part: judged(part) for part in GRID[1:]}
             around = [(GRID[k - 1], GRID[k + 1]) for k in nearest([margin for _, margin in found.values()])]
             finer = (low + (high - low) * n / 8 for low, high in around for n in range(1, 8))
             for part, (wrong, _) in (found | {part: judged(part) for part in finer}).items():
@@ -110,8 +112,13 @@ class Inclusion:
         of_place = table(self.place, z, number(self.place[-1][1])) if self.place else arb(0)
         return b / self.b * (table(self.speed, w, beyond) + of_place)
 
-    def judge(self, at: Any, begin: arb, length: arb, part: Fraction, sign: int) -> tuple[str, arb]:
-        """Return what is wrong at a part of a piece, and how far friction or v1 - v2 is from another mode."""
+    def judge(
+        self, at: Any, begin: arb, length: arb, part: Fraction, sign: int, leaves: bool = False
+    ) -> tuple[str, arb]:
+        """Return what is wrong at a part of a piece, and how far friction or v1 - v2 is from another mode.
+
+        `leaves`: it has just left v1 = v2, if it is a slip.
+        """
         t = begin + length * Ball.number(part)
         step = min(length * Ball.number(min(part, 1 - part)), 1 / self.rate) * arb(10) ** -12
         times = (t - step).mid(), (t + step).mid()
@@ -134,7 +141,15 @@ class Inclusion:
             most = most * self.most_at_rest
             holds = abs(w) <= small * speed and (self.scene.law is not Law.FILIPPOV or abs(F) <= most + slack)
             return "" if holds else "no stick", most - abs(F)
+        if leaves and not self.breaks(sign * (dv1 - dv2), most):
+            return "a slip that begins too early", arb(0)
         return "" if sign * w >= -small * speed and abs(F - sign * most) <= slack else "no slip", sign * w
+
+    def breaks(self, leaving: arb, most: arb) -> bool:
+        """Return whether a stick would need more than friction at rest: as much more as v1 - v2 grows by in slip."""
+        moved = self.m1 if self.m2 is None else self.m1 * self.m2 / (self.m1 + self.m2)
+        too_little = leaving * moved < most * (self.most_at_rest - 1) * (1 - arb("1e-9"))
+        return self.scene.law is Law.FILIPPOV and not too_little
 
 
 def table(points: Any, at: arb, beyond: arb) -> arb:

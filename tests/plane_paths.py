@@ -2,8 +2,8 @@
 
 from typing import Any
 
-import numpy as np
 from flint import arb
+from overlapping import overlap
 
 from numerics import PlaneScene
 from numerics.arithmetic.ball import Ball
@@ -27,13 +27,6 @@ def said(scene: PlaneScene, off: float = 0.0, digits: int = 16) -> tuple[Any, ..
     run.follow()
     with run.system.fine():
         return run.events, run.motion.at(Ball.number(scene.until)), run.mode
-
-
-def overlap(one: Any, two: Any) -> bool:
-    """Whether balls have points in common, all of two sequences of them; whether all else is equal."""
-    if isinstance(one, tuple | list | np.ndarray):
-        return len(one) == len(two) and all(map(overlap, one, two))
-    return bool(one.overlaps(two) if isinstance(one, arb) else one == two)
 
 
 def agree(one: tuple[Any, ...], two: tuple[Any, ...]) -> bool:

@@ -8,9 +8,12 @@ MACHINE = {"processor": "Abacus", "cores": 2, "load": 0.1, "python": "3.11", "pa
 SCENES = ("velocities", "relative-motion-b05", "near-critical-1e-6")
 
 
-def row(method: str, scene: str, ratio: float, digits: float = 15.0, note: str = "", setting: float = 15) -> Row:
-    """Return a row with so many digits of the states; float64 takes a millisecond."""
-    return Row(scene, method, setting, 1e-3 * ratio, ratio, 24, None if note else digits, note)
+def row(
+    method: str, scene: str, ratio: float | None = None, digits: float = 15.0, note: str = "", setting: float = 15
+) -> Row:
+    """Return a row with so many digits of the states; float64 takes a millisecond, what has no ratio does not end."""
+    seconds = None if ratio is None else 1e-3 * ratio
+    return Row(scene, method, setting, seconds, ratio, 24, None if note else digits, note)
 
 
 def trade_of(*rows: Row, **more: object) -> Trade:

@@ -6,7 +6,7 @@ from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 
-from oracle.holding import Case
+from oracle.holding import Case, largest
 
 from numerics import Scene, load_scene
 
@@ -35,8 +35,7 @@ def case_of(folder: str, name: str, way: str) -> Case:
     rows = {event["n"]: event["row"] for event in answer["events"] if event["n"] < most}
     if len(answer["modes"]) <= most + 1:
         rows[-1] = answer["final"]
-    sizes = [max(abs(Fraction(row[k])) for row in rows.values()) for k in range(5)]
-    far, fast = max(sizes[1], sizes[3]), max(sizes[2], sizes[4])
+    _, far, fast, *_ = largest(rows)
     if not is_forced:  # what is below 10^-150 of its unit has no digits
         far, square = pair.half_width / 10**150, pair.a2 / pair.mass
         fast = far * Fraction((Decimal(square.numerator) / Decimal(square.denominator)).sqrt())

@@ -1,54 +1,97 @@
-"""Scenes of all five signals in balls: values of an independent solver, ties, long sticks."""
-
-import json
+"""Scenes under signals: ties, long sticks, many digits, a force of zero, slips that end at once."""
 
 import pytest
+from flint import arb
+from hypothesis import given
+from hypothesis import strategies as st
 from inclusion import overlap
-from scene_files import FOLDER, scenes_in
-from scipy_reference import require
+from reaching import LeftOut, reaching
+from sixty_digits import forced_scene
+from strategies import MODERATE, pairs, states
 
-from numerics import Force, Pair, Piece, Scene, Sine, State, solve
+from numerics import EventUndecided, Force, NumericsError, OutOfRange, Pair, Piece, Scene, State, solve
+from numerics.arithmetic.precision import precision
 from numerics.trajectory.status import Status
 
-SCENES = scenes_in("signals")
-RIGHT = json.loads((FOLDER / "signals" / "answers.json").read_text())
-"""By scipy_reference.py: the first mode; of each event the time, the mode that follows, the state; the last state."""
+
+def run(scene, digits=30, **how):
+    return solve(scene, arithmetic="ball", digits=digits, **how)
 
 
-def run(scene, digits=30):
-    return solve(scene, arithmetic="ball", digits=digits)
+def pushed(*polynomial):
+    return Force([Piece(0, polynomial)])
 
 
-@pytest.mark.parametrize("name", SCENES)
-def test_events_and_states_are_the_right_ones(name):
-    one, two = run(SCENES[name]), run(SCENES[name], 60)
-    require(one, RIGHT[name], 1e-10)
-    assert overlap(one, two)
-
-
-ON_GROUND, WITHOUT = Pair(1, "inf", 0, 1, b_static="1.5"), Pair(1, 2, 0, 0)
+ON_GROUND, WITHOUT, SLIPPERY = Pair(1, "inf", 0, 1, b_static="1.5"), Pair(1, 2, 0, 0), Pair(1, 1, 0, "0.01")
 
 
 @pytest.mark.parametrize(
-    ("pair", "v", "piece", "mode"),
+    ("pair", "v", "force", "mode"),
     [
-        *[(ON_GROUND, 0, [pulls], mode) for pulls, mode in ((["1.5"], 0), (["1.5", 1], 1), (["1.5", -1], 0), ([2], 1))],
-        *[(WITHOUT, 1, [load], mode) for load, mode in (((), 0), ((0, 1), 1), ((0, -1), -1), ((0, 0, -1), -1))],
-        *[
-            (Pair(1, 1, 0, "0.01"), 0, [(), [Sine(1, 1, at)]], mode)
-            for at, mode in (("1/3", 1), ("-1/3", -1), (-7, -1))
-        ],
+        (ON_GROUND, 0, pushed("1.5"), 0),
+        (ON_GROUND, 0, pushed("1.5", 1), 1),
+        (ON_GROUND, 0, pushed("1.5", -1), 0),
+        (ON_GROUND, 0, pushed(2), 1),
+        (WITHOUT, 1, pushed(), 0),
+        (WITHOUT, 1, pushed(0, 1), 1),
+        (WITHOUT, 1, pushed(0, -1), -1),
+        (WITHOUT, 1, pushed(0, 0, -1), -1),
+        (SLIPPERY, 0, Force.sine(1, 1, "1/3"), 1),
+        (SLIPPERY, 0, Force.sine(1, 1, "-1/3"), -1),
+        (SLIPPERY, 0, Force.sine(1, 1, -7), -1),
     ],
 )
-def test_a_tie_is_decided_by_the_first_derivative_of_the_load_and_a_sine_by_its_phase(pair, v, piece, mode):
+def test_a_tie_is_decided_by_the_first_derivative_of_the_load_and_a_sine_by_its_phase(pair, v, force, mode):
     """At static friction, without friction, and from rest."""
-    until = 1 if len(piece) == 1 else "0.01"
-    assert run(Scene(pair, State(v1=v, v2=v), until, force=Force([Piece(0, *piece)]))).signs == [mode]
+    assert run(Scene(pair, State(v1=v, v2=v), "0.01", force=force)).signs == [mode]
 
 
 def test_long_sticks_on_a_belt_and_under_every_signal_are_gone_through_at_once():
     still = Scene(Pair(1, "inf", 30, 1, "0.1", b_static="1.6"), State("0.01", "0.1"), 10**9)
     assert run(still).status is Status.STUCK_FOR_EVER
-    wall, pull = Force([Piece(0, (), [Sine("0.01", 40)])]), Force([Piece(0, (1,), [Sine("0.1", 3)])])
+    wall, pull = Force.sine("0.01", 40), Force.constant(1) + Force.sine("0.1", 3)
     shaken = Scene(Pair(1, 2, 30, 1, "0.1"), State("0.01", "0.1"), 10**6, force_2=pull, wall=wall)
     assert overlap(run(shaken, 40), run(shaken, 80))
+
+
+@pytest.mark.parametrize(("a2", "way"), [("1e-900", "float64"), ("1e900", "float64"), ("1e900", "ball")])
+def test_rates_out_of_all_proportion_are_refused_in_one_line(a2, way):
+    """@example of a found fault: ZeroDivisionError."""
+    scene = Scene(Pair(1, 1, a2, "0.05", a1=1), State(), 3, force=Force.sine("0.45", 5))
+    with pytest.raises(NumericsError, match=r"\A.*\Z"):
+        solve(scene, arithmetic=way)
+
+
+def test_more_digits_than_a_float_has_decades_are_reached_at_once():
+    """Beyond 308 digits what is rough is 0: it once ended Newton's method early, and no precision was enough."""
+    scene = forced_scene("sine-stick-slip")
+    few, many = (run(scene, n, max_digits=500) for n in (360, 400))
+    with precision(2000):
+        assert overlap(few, many)
+        assert max(one.rad() for one in few.event_times) < arb("1e-355")
+
+
+@reaching
+@given(pairs(MODERATE, damped=None), st.data())
+def test_a_force_of_zero_is_no_force(pair, data):
+    """Two engines answer: that of the free pair, and that of every scene."""
+    free = Scene(pair, data.draw(states(pair)), 2)
+    forced = free.replace(force=Force((Piece(0), Piece(1))))
+    try:
+        assert overlap(*(run(scene, 15, max_events=30, max_digits=100) for scene in (free, forced)))
+    except (EventUndecided, OutOfRange):
+        raise LeftOut from None
+
+
+def test_what_begins_at_a_tie_of_high_order_may_end_soon():
+    """With u = 2 b + c t^2/2 - d t^3/6 and a soft spring a slip begins at once and ends at 4 c/d, nearly."""
+    force = pushed(2, 0, "0.5", -10)
+    for arithmetic in ("ball", "float64"):
+        found = solve(Scene(Pair(1, 1, "1e-6", 1), State(), 1, force=force), arithmetic=arithmetic)
+        assert found.signs == [1, 0, -1]
+        assert abs(float(found.event_times[0]) - 4 / 60) < 1e-7
+
+
+def test_a_slip_that_ends_exactly_where_the_force_jumps_ends_by_itself():
+    for how in ("reverses", "sticks"):
+        assert solve(forced_scene(f"jump-at-contact-{how}")).events[0].cause == "guard"

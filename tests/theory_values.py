@@ -58,12 +58,10 @@ def excursion_of(y: arb) -> dict[str, arb]:
     """
     height = arb(y).sqrt()
     low, high = (2 * height).min(arb(1.5)).mid(), (3 * height * (1 + arb(2) ** -30)).min(MOST_ANGLE).mid()
-    assert push(low) < height < push(high)
     for _ in range(70):
         middle = ((low + high) / 2).mid()
         low, high = (middle, high) if push(middle) < height else (low, middle)
-    assert push(low) < height
-    assert height < push(high)
+    assert push(low) < height < push(high)
     deep = [at_point(return_map.depth(), {symbols.theta: one}) for one in (low, high)]
     return {"y_0": y, "theta_0": low.union(high), "c_0": deep[0].union(deep[1])}
 

@@ -54,13 +54,17 @@ def frozen_case(answer: dict[str, Any], way: str) -> Case:
         return Case(scene_of(answer), asked, {*may, answer["refused"], "open"}, None, [], "", {}, {}, "0", "0")
     rows = {int(n): row for n, row in answer["events"].items()}
     rows[-1] = [*answer["final"], None, answer["excess"]]
-    tops = [max(abs(Fraction(row[k])) for row in rows.values()) for k in range(5)]
-    far, fast = max(tops[1], tops[3]), max(tops[2], tops[4])
-    scales = [tops[0], far, fast, far, fast, Fraction(0), Fraction(1)]
+    scales = [*largest(rows), Fraction(0), Fraction(1)]
     right = None if fixed else 6 if way == "default" else digits - 1
     rest = "1e-23", "1e-100" if way == "ball" else "1e-30", tuple(answer["ledger"]), answer["status"]
     causes = dict(enumerate(answer["causes"]))
     return Case(scene_of(answer), asked, {*may, "right"}, right, scales, answer["modes"], causes, rows, *rest)
+
+
+def largest(rows: dict[int, Any]) -> list[Fraction]:
+    """The largest time, and of both places and of both velocities the largest, as scales of t, x1, v1, x2 and v2."""
+    last, x1, v1, x2, v2 = (max(abs(Fraction(row[k])) for row in rows.values()) for k in range(5))
+    return [last, *[max(x1, x2), max(v1, v2)] * 2]
 
 
 def outcome(case: Case) -> tuple[str, list[str]]:

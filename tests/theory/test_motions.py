@@ -1,62 +1,23 @@
-"""Branches and closed forms of motion put into the printed equations: they solve them, and nothing beside them does.
+"""Closed forms of motion put into the printed equations: they solve them, and nothing beside them does.
 
-What theory derives from them the claims hold against what is typed there, and a fault in it turns their rows.
+What theory derives from the branches, the claims hold against what is typed there, and a fault in it turns their rows.
 """
 
 from dataclasses import replace
 
 import pytest
-from sympy import Rational, S, exp, simplify
+from sympy import exp, simplify
 
 from theory import closed_forms, model, scaling
 from theory.closed_forms import DampingRegime, rate
-from theory.symbols import (
-    a1,
-    a2,
-    acceleration1,
-    acceleration2,
-    b,
-    m1,
-    m2,
-    sgn,
-    t,
-    total_mass,
-    u,
-    v1,
-    v2,
-    x1,
-)
+from theory.symbols import t, total_mass
 
-NUMBERS = {m1: Rational(3, 2), m2: Rational(2, 3), a1: Rational(1, 7), a2: S(5), b: Rational(3, 4), u: S(0)}
-EDGE = (b * (m1 + m2) / (a2 * m2)).subs(NUMBERS)
 REGIMES = pytest.mark.parametrize("regime", list(DampingRegime))
 
-# States that realise each branch: (x1, v1, v2).
-STATES = {
-    "stick": [(EDGE * 5 / 6, 0, 0), (Rational(1, 9), Rational(-1, 5), Rational(-1, 5)), (0, 0, 0)],
-    "half adhesion": [(EDGE, 0, 0), (-EDGE, 0, 0)],
-    "broken adhesion": [(EDGE * 5 / 4, 0, 0), (-15 * EDGE, 0, 0)],
-    "slip+": [(2, 1, 0), (Rational(1, 100), 0, -1), (-9, 0, -1)],
-    "slip-": [(2, 0, 1), (Rational(1, 100), -1, 0), (-9, -1, 0)],
-}
 
-
-def satisfies(name, state):
-    """Both equations at numbers, with sgn replaced by its definition (1), never by an assumed value."""
-    found = model.branch_named(name)
-    numbers = NUMBERS | dict(zip((x1, v1, v2), map(S, state), strict=True))
-    motion = {acceleration1: found.acceleration1, acceleration2: found.acceleration2}
-    equations = (model.driving_equation(), model.driven_equation())
-    return all(one.subs(motion).subs(numbers).replace(sgn, model.signum) == 0 for one in equations)
-
-
-@pytest.mark.parametrize("name", STATES)
-def test_a_branch_solves_the_closed_form_where_its_signs_hold_and_nowhere_else(name):
-    assert [found.name for found in model.branches()] == list(STATES)
-    assert (model.branch_named(name).stiction_sign is None) == name.startswith("slip")
-    assert all(satisfies(name, state) for state in STATES[name])
-    elsewhere = [state for other, states in STATES.items() if other != name for state in states if state[0]]
-    assert not any(satisfies(name, state) for state in elsewhere)
+def test_whether_adhesion_has_a_sign_depends_on_the_branch():
+    signs = {found.name: found.stiction_sign for found in model.branches()}
+    assert signs == {"stick": -1, "slip+": None, "slip-": None, "half adhesion": 0, "broken adhesion": 1}
 
 
 @pytest.mark.parametrize("mode", ["stick", "slip+", "slip-"])

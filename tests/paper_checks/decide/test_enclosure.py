@@ -1,4 +1,4 @@
-"""Balls: proved, disproved, and neither."""
+"""Balls: proved, disproved, and neither; of a root both ends of the bracket are proved, and none is made up."""
 
 import pytest
 import sympy as sp
@@ -7,26 +7,15 @@ from flint import arb
 from numerics import Mode, load_scene
 from paper_checks.decide.balls import precision
 from paper_checks.decide.enclosure import ball, compare, itinerary, rounded, solved, stuck_for_ever
+from paper_checks.decide.roots import enclosed_root
 
-WIDE = arb(1, 0.5)
+from .formulas import asked
 
 
-@pytest.mark.parametrize(
-    ("left", "relation", "right", "passed"),
-    [
-        (arb(1), "<", arb(2), True),
-        (arb(2), "<", arb(1), False),
-        (arb(1), "<", arb(1), False),
-        (arb(2), ">", arb(1), True),
-        (WIDE, "<", arb(1), None),
-        (WIDE, "<", arb("1.2"), None),
-        (arb("1.2"), ">", WIDE, None),
-        (arb("nan"), "<", arb(1), None),
-        (arb(0), "<", arb("inf"), None),
-    ],
-)
-def test_a_comparison_is_proved_or_disproved_or_open(left, relation, right, passed):
-    assert compare("balls", left, relation, right).passed is passed
+@pytest.mark.parametrize(("compared", "passed"), asked("comparisons"))
+def test_a_comparison_is_proved_or_disproved_or_open(compared, passed):
+    left, relation, right = compared
+    assert compare("balls", arb(left), relation, arb(right)).passed is passed
 
 
 def test_an_itinerary_has_to_be_the_proved_one():
@@ -64,3 +53,24 @@ def test_a_ball_is_rounded_to_decimals(value, places, shown):
 def test_a_ball_that_rounds_to_two_decimals_is_refused():
     with pytest.raises(ArithmeticError, match="no unique decimal"):
         rounded(arb("1.25").union(arb("1.35")), 1)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_root_is_inside_its_ball(sign):
+    with precision():
+        found = enclosed_root(lambda x: sign * (x * x - 2), 1, 2, 20)
+        assert found.contains(arb(2).sqrt())
+        assert found.rad() < arb(10) ** -22
+
+
+@pytest.mark.parametrize(
+    ("function", "said"),
+    [
+        (lambda x: x * x + 1, "no change of sign"),
+        (lambda x: x - 1, "the sign at 1 is not decided"),
+        (lambda x: 2 * x - 3, "the sign at 3/2 is not decided"),
+    ],
+)
+def test_a_sign_that_does_not_change_or_is_open_is_no_root(function, said):
+    with pytest.raises(ArithmeticError, match=said):
+        enclosed_root(function, 1, 2)

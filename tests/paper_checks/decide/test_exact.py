@@ -16,26 +16,12 @@ from paper_checks.decide.exact import identity
 from paper_checks.decide.normal_form import is_zero
 from paper_checks.evidence.evidence import EvidenceKind
 
-x, y, m, n = *sp.symbols("x y", real=True), *sp.symbols("m n", positive=True)
-k = sp.Symbol("k", integer=True)
-root = sp.sqrt(m + n)
-
-ZEROS = [
-    sp.sin(2 * m) - 2 * sp.sin(m) * sp.cos(m),
-    sp.cos(m - 3 * n) - sp.cos(m) * sp.cos(3 * n) - sp.sin(m) * sp.sin(3 * n),
-    sp.sin(m / 2) ** 2 - (1 - sp.cos(m)) / 2,
-    sp.tan(m) * sp.cos(m) - 1 / sp.cot(m) * sp.cos(m),
-    1 / root - root / (m + n),
-    root**3 - (m + n) * root,
-    sp.sqrt(1 + root) ** 2 - 1 - root,
-    (sp.Min(m, n) + 1) ** 2 - sp.Min(m, n) ** 2 - 2 * sp.Min(m, n) - 1,
-    sp.sin(root) ** 2 / m + sp.cos(root) ** 2 / m - 1 / m,
-    m * sp.Abs(n / m - 1) - sp.Abs(m - n),
-]
+from .formulas import ASKED, asked, formula, m, n, x
 
 
-@pytest.mark.parametrize("zero", ZEROS, ids=str)
-def test_what_is_0_by_the_rules_is_found_and_a_fault_in_any_part_of_it(zero):
+@pytest.mark.parametrize("text", ASKED["zeros"])
+def test_what_is_0_by_the_rules_is_found_and_a_fault_in_any_part_of_it(text):
+    zero = formula(text)
     assert is_zero(zero)
     for place, part in enumerate(zero.args):
         for fault in (-part, 2 * part, part**2, part + sp.Rational(1, 10**9)):
@@ -65,33 +51,9 @@ def test_it_is_not_0_where_a_value_is_not(first, second):
         assert is_zero(difference) == bool(vanishes)
 
 
-C, D = map(sp.Function, "cd")
-v = sp.Symbol("v", negative=True)
-
-
-@pytest.mark.parametrize(
-    ("left", "right", "passed"),
-    [
-        ((x + y) ** 2, x**2 + 2 * x * y - y**2, False),
-        (sp.sqrt(m**2), m, True),
-        (sp.sqrt(x**2), x, False),
-        (sp.cos(sp.pi * k) ** 2, 1, True),
-        (sp.Matrix([x * (x + 1), 0]), sp.Matrix([x**2 + x, 0]), True),
-        (sp.Matrix([x, y]), sp.Matrix([x, x]), False),
-        (sp.Abs(x) ** 2, x**2, True),
-        (sp.Abs(v) + sp.Abs(k), sp.Abs(k) - v, True),  # points meet the assumptions
-        (m, sp.Symbol(m.name, complex=True), False),  # two letters of one name
-        (sp.ceiling(m / 2), sp.floor(m / 2), False),
-        (sp.sin(x) * (1 + sp.Rational(1, 10**70)), sp.sin(x), False),
-        (sp.I * sp.exp(400), sp.I * sp.exp(400 + sp.Rational(1, 10**150)), False),
-        (sp.Min(C(m), 1), 2 * sp.Min(C(m), 1), False),
-        (C(m), C(2 * m), False),
-        (C(m), D(m), False),
-        (sp.sqrt(m**2 + 2 * m + 1), m + 1, None),  # neither normal form nor sympy decides it
-        (sp.Matrix([m, sp.atan(m) + sp.atan(1 / m)]), sp.Matrix([m, sp.pi / 2]), None),
-    ],
-)
-def test_identities_pass_near_misses_fail_at_a_point_and_the_rest_is_open(left, right, passed):
+@pytest.mark.parametrize(("sides", "passed"), asked("identities"))
+def test_identities_pass_near_misses_fail_at_a_point_and_the_rest_is_open(sides, passed):
+    left, right = map(formula, sides)
     evidence = identity("identity", left, right)
     assert evidence == identity("identity", left, right)
     assert (evidence.passed, evidence.kind) == (passed, EvidenceKind.EXACT)

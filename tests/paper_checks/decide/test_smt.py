@@ -11,32 +11,22 @@ from paper_checks.decide.smt import SolverAnswers, prove
 from paper_checks.decide.text import script
 from paper_checks.errors import NotPolynomialError, ToolMissingError
 
-x, y, z = sp.symbols("x y z", real=True)
-m = sp.Symbol("m_1", positive=True)
-n = sp.Symbol("n", positive=True)
+from .formulas import ASKED, asked, formula, m, n, x, y
 
 
-@pytest.mark.parametrize(
-    ("given", "conclusion", "passed"),
-    [
-        ([], (m + n) ** 2 >= 4 * m * n, True),
-        ([sp.Eq(y, m * x**2)], y >= 0, True),
-        ([sp.Eq(y, z * x**2)], y >= 0, False),
-        ([], sp.Implies(sp.Abs(x) <= 1, x**2 <= 1), True),
-        ([], sp.Implies(sp.Abs(x) <= 1, x**2 < 1), False),
-        ([], sp.Equivalent(x**2 > 0, sp.Ne(x, 0)), True),
-        ([], sp.Equivalent(x**3 > 0, sp.Ne(x, 0)), False),
-        ([], sp.Or(x > 0, y > 0, x + y <= 0), True),
-    ],
-)
-def test_what_sympy_assumes_of_a_symbol_connectives_and_absolute_values(given, conclusion, passed):
-    assert prove("", given, conclusion).passed is passed
+@pytest.mark.parametrize(("formulas", "passed"), asked("statements"))
+def test_a_statement_is_proved_or_refuted_with_a_model(formulas, passed):
+    *given, conclusion = map(formula, formulas)
+    evidence = prove("", given, conclusion)
+    assert evidence.passed is passed
+    assert passed or evidence.value.startswith("counterexample: ")
 
 
 def test_a_sign_that_sympy_leaves_open_is_left_open():
     """At 0 a number that is only not negative is not positive; one that is not 0 has a positive square."""
     k, w = sp.Symbol("k", nonnegative=True), sp.Symbol("w", real=True, nonzero=True)
     assert prove("beyond 0", [], k + k**2 > 0).passed is False
+    assert prove("strict at the edge", [x >= 1], x > 1).value == "counterexample: x = 1"
     assert prove("a square", [], sp.Gt(w**2, 0, evaluate=False)).passed is True
     for may_be_0_or_negative in (k, w):
         with pytest.raises(ValueError, match="not manifestly positive"):
@@ -45,47 +35,17 @@ def test_a_sign_that_sympy_leaves_open_is_left_open():
     assert cleared(x / (-m - n)) == -x
 
 
-@pytest.mark.parametrize(
-    ("given", "conclusion"),
-    [
-        ([x >= 1], x**2 > 1),
-        ([], sp.false),
-        ([sp.Eq(x, 2)], x**5 <= 31),
-        ([sp.Eq(x**2, 2)], x > 0),
-    ],
-)
-def test_a_false_statement_is_refuted_with_a_model(given, conclusion):
-    evidence = prove("false", given, conclusion)
-    assert evidence.passed is False
-    assert evidence.value.startswith("counterexample: ")
-    assert prove("strict at the edge", [x >= 1], x > 1).value == "counterexample: x = 1"
-
-
-@pytest.mark.parametrize("given", [[x > 1, x < 0], [x**2 < 0], [sp.false], [sp.Lt(m, 0, evaluate=False)]])
+@pytest.mark.parametrize("given", ASKED["vacuous"])
 def test_a_vacuous_statement_proves_nothing(given):
-    evidence = prove("vacuous", given, y > 7)
+    evidence = prove("vacuous", [*map(formula, given)], y > 7)
     assert evidence.passed is None
     assert "the assumptions alone are unsat (z3), unsat (cvc5)" in evidence.value
 
 
-@pytest.mark.parametrize(
-    "conclusion",
-    [
-        sp.sin(x) <= 1,
-        x > 0.1,
-        1 / x < 2,
-        sp.sqrt(m) > 2,
-        sp.Symbol("c") > 0,
-        sp.Symbol("k", integer=True) > 0,
-        sp.Symbol("x", positive=True) < x,
-        sp.And(x**2 >= 0, y**2 >= 0, evaluate=False),  # sympy decides it alone, so the solvers are not asked
-        sp.true,
-        x,
-    ],
-)
+@pytest.mark.parametrize("conclusion", ASKED["refused"])
 def test_what_is_not_an_exact_polynomial_over_the_reals_is_refused(conclusion):
     with pytest.raises(NotPolynomialError):
-        prove("foreign", [], conclusion)
+        prove("foreign", [], formula(conclusion))
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from paper_checks.claims import claim_named
-from paper_checks.derivation import energy, rate, slip, surface
+from paper_checks.derivation import surface
 from paper_checks.derivation.chapter import LINES
 from paper_checks.derivation.line import clause_named
 from paper_checks.evidence.finding import Verdict
@@ -44,27 +44,6 @@ def test_a_line_carries_clauses_that_exist_and_names_theorems_of_theirs(place):
     clauses = [clause_named(key) for key in LINES[place - 1].clauses]
     assert clauses
     assert set(LINES[place - 1].kernel.split()) <= {name for one in clauses for name in one.kernel}
-
-
-def twice(value):
-    """What theory finds, wrong by a factor."""
-    return type(value)(*(2 * part for part in value)) if isinstance(value, tuple) else 2 * value
-
-
-BROKEN = {
-    surface: "phi transversality half_width sliding_weight weight_margin sliding_field",
-    energy: "slip_rate on_surface level_semi_axis critical_energy edge_speed_squared",
-    slip: "stick_frequency reduced_slip reduced_energy reduced_guard h_slope",
-    rate: "inverse_step reduced_rate_constant rate_constant",
-}
-"""Functions of theory, by the module that prints what they return."""
-
-
-@pytest.mark.parametrize(("module", "name"), [(one, name) for one in BROKEN for name in BROKEN[one].split()])
-def test_a_factor_in_theory_turns_a_line(monkeypatch, module, name):
-    right = getattr(module, name)
-    monkeypatch.setattr(module, name, lambda *values: twice(right(*values)))
-    assert not all(passes(line) for stage in module.STAGES for line in stage.lines)
 
 
 def row_of(name):
@@ -104,6 +83,7 @@ def test_the_chapter_has_all_lines_in_order_with_what_their_rows_found():
 
 
 def test_the_page_in_the_documentation_is_what_is_generated():
+    """It is not where a factor in theory is wrong: a line fails, or reads otherwise."""
     module = runpy.run_path(str(DOCS / "derivation.py"))
     assert (DOCS / "derivation.md").read_text("utf-8") == module["page"](), "python docs/derivation.py writes it"
 

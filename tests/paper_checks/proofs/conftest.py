@@ -5,6 +5,7 @@ import os
 import pytest
 
 from paper_checks.proofs import kernel
+from paper_checks.proofs.__main__ import main
 
 MISSING = kernel.why_not()
 
@@ -26,3 +27,18 @@ def store(tmp_path):
         if kept.is_dir():
             (folder / kept.name).symlink_to(kept)
     return folder
+
+
+@pytest.fixture
+def command(monkeypatch, capsys):
+    """Exit code, output and errors of `python -m paper_checks.proofs`."""
+
+    def run(*words):
+        monkeypatch.setattr("sys.argv", ["paper_checks.proofs", *map(str, words)])
+        try:
+            code = main()
+        except SystemExit as stop:
+            code = stop.code
+        return code, *capsys.readouterr()
+
+    return run

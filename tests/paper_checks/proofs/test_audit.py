@@ -5,8 +5,8 @@ import shutil
 
 import pytest
 
-from paper_checks.proofs import __main__ as command
 from paper_checks.proofs import audit, graph, kernel, library
+from paper_checks.proofs.__main__ import script
 from paper_checks.proofs.audit import CLASSICAL_REALS, recorded, register
 from paper_checks.proofs.sources import AUDIT, FOLDER, read
 
@@ -58,27 +58,26 @@ def test_an_answer_that_is_not_the_one_on_record_is_named():
     assert "Pair.energy, which is not defined as in Audit.out" in problem()
 
 
-def test_without_the_kernel_nothing_is_proved_and_nothing_is_broken(monkeypatch, tmp_path, capsys):
+def test_without_the_kernel_nothing_is_proved_and_nothing_is_broken(monkeypatch, tmp_path, command):
     monkeypatch.setenv("PATH", str(tmp_path))
-    monkeypatch.setattr("sys.argv", ["paper_checks.proofs"])
     theorems = library.prove(register())
     assert {(one.holds, one.problem) for one in theorems.values()} == {(None, kernel.why_not())}
     law = theorems["sharp-law"]
     assert "is_lim" in law.statement
     assert (law.axioms, "first-re-entry" in law.uses, "tie-rate" in law.ties) == ((), True, True)
-    assert (command.main(), capsys.readouterr().out) == (3, "")
+    assert command()[:2] == (3, "")
     with pytest.raises(KeyError):
         library.prove(["no-such-theorem"])
 
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("needs_kernel")
-def test_every_cited_theorem_is_proved_as_recorded(monkeypatch, capsys):
+def test_every_cited_theorem_is_proved_as_recorded(monkeypatch, command):
     known = {one: library.prepare(register())[one] for one in register()}
     monkeypatch.setattr(library, "prove", lambda *_: known)  # which it was that found them
-    monkeypatch.setattr("sys.argv", ["paper_checks.proofs"])
-    assert command.main() == 0
-    assert f"{len(register())} of {len(register())} theorems proved as recorded" in capsys.readouterr().out
+    code, out, _ = command()
+    assert code == 0
+    assert f"{len(register())} of {len(register())} theorems proved as recorded" in out
 
 
 @pytest.fixture(scope="module")
@@ -98,8 +97,9 @@ def test_the_record_names_what_each_theorem_uses(compiled):
 
 @pytest.mark.long
 def test_the_audit_file_asks_about_what_is_cited_and_names_what_it_uses(compiled):
-    script = command.script(compiled)
-    assert script == (FOLDER / f"{AUDIT}.v").read_text("utf-8"), "python -m paper_checks.proofs audit writes it"
+    assert script(compiled) == (FOLDER / f"{AUDIT}.v").read_text("utf-8"), (
+        "python -m paper_checks.proofs audit writes it"
+    )
 
 
 @pytest.mark.slow

@@ -1,4 +1,4 @@
-// What test_in_browser.py does with the report, and what it saw.
+// What test_html.py does with the report, and what it saw.
 const wait = (ms) => new Promise((done) => setTimeout(done, ms));
 const claims = [...document.querySelectorAll(".claim")], found = {};
 const claim = claims.find((one) => one.id === OPENED);

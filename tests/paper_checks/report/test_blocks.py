@@ -12,7 +12,9 @@ from paper_checks.report.content.blocks import Section, read
 from paper_checks.report.content.document import document, paper
 from paper_checks.report.formats import html, latex
 
-WRITTEN = tomllib.loads(Path(__file__).with_name("blocks.toml").read_text("utf-8"))
+WRITTEN, TOLD = (
+    tomllib.loads(Path(__file__).with_name(name).read_text("utf-8")) for name in ("blocks.toml", "told.toml")
+)
 
 
 def normal(text):
@@ -56,25 +58,6 @@ def lines_of(text):
         re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", one, re.DOTALL) for one in re.findall("<tr.*?</tr>", text, re.DOTALL)
     )
     return [[plain(cell) for cell in line] for line in lines]
-
-
-TOLD = {
-    "energy-rate": {"The paper says (after (8))": "", "Decisive step": "", "Why": "", "Derivation": "Lines D23"},
-    "stiction-bracket": {
-        "The paper says (eq. (4))": "",
-        "Decisive step": "",
-        "Why": "As printed",
-        "Counterexample": "x1(0)=0.006",
-        "What is true": "",
-    },
-    "rate-one-over-t": {
-        "The paper says (after (8))": "",
-        "Attention": "This differs from the verdict on record, holds.",
-        "Why": "Samples only.",
-        "Missing for a proof": "a proof of",
-        "Derivation": "Lines D49",
-    },
-}
 
 
 @pytest.mark.parametrize("name", TOLD)

@@ -1,9 +1,11 @@
-"""The page is valid, whole without a network, anchored, escaped, and the same on every run."""
+"""The page is valid, whole without a network, anchored, escaped, the same on every run; a browser opens its claims."""
 
 import re
 from html import unescape
+from pathlib import Path
 
 import pytest
+from chromium import asked
 from elements import Elements
 
 from paper_checks.report.content.document import document
@@ -72,3 +74,46 @@ def test_hostile_texts_are_escaped(files):
         assert "<b>100%" not in text
     assert "&lt;script&gt;alert" in files[html.FRONT]
     assert "&amp;lt;" not in files[html.FRONT]  # nor escaped twice
+
+
+# in headless Chromium, from disk
+
+OPENED = "example-stiction-never-violated"
+
+
+@pytest.fixture(scope="module")
+def found(files, tmp_path_factory) -> dict:
+    folder = tmp_path_factory.mktemp("pages")
+    for name, text in files.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
+    question = Path(__file__).with_name("in_browser.js")
+    answer = asked(files[html.FRONT], question, folder, "--window-size=500,900", OPENED=OPENED)
+    assert "error" not in answer, answer
+    return answer
+
+
+def test_a_claim_is_folded_until_it_is_opened(found):
+    assert found["closed"] == 0
+    assert found["opened"] == [True, True]
+    assert found["images"]
+    assert all(found["images"])
+
+
+def test_the_search_and_the_filters_find_claims(found, rows):
+    some, none, every = found["searched"]
+    assert some == ["example-stiction-never-violated", "stiction-bracket"]
+    assert none == []
+    assert every == [row.claim.id for row in rows]
+    assert found["chosen"] == [[OPENED], every]
+    assert found["shown"] == f"{len(rows)} of {len(rows)} claims"
+
+
+def test_a_link_opens_what_its_target_is_folded_in_whatever_was_searched_for(found):
+    assert found["targeted"] == [False, True]
+    assert found["again"]
+    assert found["folded"]
+
+
+def test_nothing_is_wider_than_a_phone(found):
+    assert found["wide"] <= 0

@@ -1,12 +1,15 @@
-"""A case's failure is its row's verdict and no one else's."""
+"""A case's failure is its row's verdict and no one else's; of what fails, the lowest step comes first, once."""
+
+from dataclasses import replace
 
 import pytest
 
 from paper_checks.errors import ToolMissingError
 from paper_checks.evidence.claim import Claim, because
 from paper_checks.evidence.clause import Formula, clause
-from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
 from paper_checks.evidence.finding import Finding, Verdict
+from paper_checks.running.failing import lowest
 from paper_checks.running.rows import Progress, rows
 from paper_checks.running.runner import Context, Row, decide, exit_code
 
@@ -82,3 +85,43 @@ UNCHECKED = decide(claim("a"), Context())
 )
 def test_exit_codes(findings, code):
     assert exit_code(Row(claim("a"), finding) for finding in findings) == code
+
+
+# of what fails, the cause comes first
+
+GOOD = Evidence(EvidenceKind.EXACT, "sympy", "the field is as printed", True)
+CAUSE = Evidence(EvidenceKind.EXACT, "sympy", "the energy falls", False, value="difference 2 at b = 1")
+OTHER = replace(CAUSE, statement="the strip is closed", value="")
+KERNEL = Evidence(EvidenceKind.KERNEL, "Coq", "the theorem energy-rate", False, value="refused")
+ABOVE = argument("So it stops.", GOOD, CAUSE)
+
+
+def failing(**cases):
+    """What fails of claims with these steps, the lowest first."""
+    claims = [claim(name, lambda steps=steps: because("r", *steps)) for name, steps in cases.items()]
+    return lowest(rows(claims, Context()))
+
+
+def test_the_lowest_failing_step_comes_first_with_all_claims_that_it_turns():
+    found = failing(a=(KERNEL,), b=(OTHER,), c=(ABOVE,), d=(argument("And so.", ABOVE),), fine=(GOOD,))
+    assert [one.statement for one in found] == [CAUSE.statement, OTHER.statement, KERNEL.statement]
+    assert [one.claims for one in found] == [("c", "d"), ("b",), ("a",)]
+    assert found[0].value == CAUSE.value
+
+
+def test_a_step_on_more_others_comes_later_though_it_turns_more_claims():
+    high = replace(OTHER, rests_on=(GOOD,))
+    found = failing(a=(high,), b=(high,), c=(CAUSE,))
+    assert [one.statement for one in found] == [CAUSE.statement, OTHER.statement]
+
+
+def test_what_a_claim_raises_is_told_with_the_place_where_it_was_raised():
+    """@example of a found fault: "The check failed." stood in fifty rows."""
+
+    def breaks_in_a_claim():
+        breaks = raising(ZeroDivisionError("no width"))
+        exec(compile("breaks()", "energy.py", "exec"), {"__name__": "theory.energy", "breaks": breaks})
+
+    (found,) = lowest(rows([claim(name, breaks_in_a_claim) for name in ("a", "b")], Context()))
+    assert found.statement == "theory.energy.<module> raised ZeroDivisionError: no width"
+    assert found.claims == ("a", "b")
