@@ -89,9 +89,3 @@ def test_a_contact_in_mpmath_is_that_of_balls(gap, push, on_ray, back):
     with Ball(90).context():
         for one, two in zip((theta, deep), ours, strict=False):
             assert abs(one / arb(mpmath.nstr(two, 70)) - 1) < 1e-58
-
-
-@pytest.mark.parametrize(("gap", "push"), [(-1, 1), (0, 0), (1, "nan"), ("inf", 1)])
-def test_a_slip_that_does_not_exist_is_refused(gap, push):
-    with Ball(16).context(), pytest.raises(EventUndecided, match="existence"):
-        contact(arb(gap), arb(push))

@@ -15,7 +15,6 @@ from scene_files import scenes_in
 from strategies import driven_scenes, fewer, scenes
 
 from numerics import (
-    EventUndecided,
     Force,
     Friction,
     NotDifferentiable,
@@ -31,13 +30,12 @@ from numerics import (
 )
 from numerics.trajectory import variation
 from numerics.trajectory.run import free_scene
-from numerics.trajectory.trajectory import Trajectory
 
 CATALOGUE = Path(__file__).parents[1] / "forced" / "scenes"
 PAPER, PAIR = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.05")
 FREE, WEAKENED, SIGNALS = map(scenes_in, ("differentiated", "followed-in-balls", "signals"))
 GIVEN = tomllib.loads((CATALOGUE.parent / "derivatives.toml").read_text("utf-8"))
-FORCED, CORNERS, TIES, LEFT_OUT = (GIVEN[one] for one in ("compared", "corners", "ties", "left_out"))
+FORCED, CORNERS, TIES = (GIVEN[one] for one in ("compared", "corners", "ties"))
 
 
 def named(name):
@@ -82,28 +80,15 @@ def test_differences_of_random_solves(scene):
     assert found.size < (1e-20 if found.events_compared else 1e-3), found
 
 
-def test_a_trajectory_that_has_lost_its_last_events_has_no_derivatives():
-    run = solve(Scene(PAIR, State(v1="0.15"), 1))
-    cut = solve(Scene(PAIR, State(v1="0.15"), Fraction((run.events[1].t + run.events[2].t) / 2)))
-    with pytest.raises(EventUndecided, match="events"):
-        sensitivities(Trajectory(run.scene, run.arithmetic, cut.record))
-
-
-TOGETHER = Scene(PAIR, State(), 2, force=Force.step(1, "0.2"), friction=Friction([(1, "0.5")]))
-"""Of these jumps the first alone breaks a stick; together they are no event."""
-LATE = Scene(Pair(1, 1, 1, 1), State(0, 2, 0, 0), 1, force=Force([Piece(0, (0, 2, "-0.5"))]))
-REFUSED = {TOGETHER: "which of them comes first", LATE: "on the horizon"}
-
-
-@pytest.mark.parametrize(("scene", "said"), [*((named(one), CORNERS[one]) for one in CORNERS), *REFUSED.items()])
+@pytest.mark.parametrize("name", CORNERS)
 @pytest.mark.parametrize("arithmetic", ["float64", "ball"])
-def test_a_corner_is_refused_in_one_line(scene, said, arithmetic):
+def test_a_corner_is_refused_in_one_line(name, arithmetic):
     try:
-        trajectory = solve(scene, arithmetic=arithmetic)
+        trajectory = solve(named(name), arithmetic=arithmetic)
     except NumericsError:
         assert arithmetic != "ball"  # next to a tie numbers without bounds do not decide
         return
-    with pytest.raises(NotDifferentiable, match=said) as refused:
+    with pytest.raises(NotDifferentiable, match=CORNERS[name]) as refused:
         sensitivities(trajectory)
     assert str(refused.value).isprintable()
 

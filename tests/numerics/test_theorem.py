@@ -5,8 +5,7 @@ from fractions import Fraction
 
 import pytest
 
-from numerics import Force, Law, Pair, Scene, State, load_scene, solve
-from numerics.errors import NoProof
+from numerics import Force, Pair, Scene, State, load_scene, solve
 from numerics.trajectory.theorem import theorem
 
 PAIR, MOVING = Pair(1, 1, 200, "0.5"), State(v1="0.15")
@@ -33,24 +32,6 @@ def test_every_event_is_within_its_bounds(scene):
             for value, (low, high) in zip((event.t, event.y[0], event.y[2], event.y[1]), bounds, strict=True):
                 assert Fraction(low) <= Fraction(high)
                 assert float(Fraction(low)) <= float(value) <= float(Fraction(high))
-
-
-@pytest.mark.parametrize(
-    ("scene", "said"),
-    [
-        (Scene(PAIR, MOVING, 1, Law.THREE_VALUED_SGN), 'law = "three-valued-sgn"'),
-        (Scene(PAIR, State(x1="0.005"), 1), "exactly the critical energy"),
-        (Scene(PAIR, State(x1="0.0055"), 1, force=Force.step(0, "0.1")), "does not see that the pair keeps its mode"),
-        pytest.param(
-            Scene(PAIR, State(x1=Fraction(5, 1000) + Fraction(1, 10**270)), 1),
-            "bits are too few",
-            marks=pytest.mark.long,
-        ),
-    ],
-)
-def test_what_the_checker_does_not_cover_is_refused_in_a_sentence(scene, said):
-    with pytest.raises(NoProof, match=said):
-        theorem(solve(scene, digits=15, arithmetic="ball"))
 
 
 def test_the_command_writes_a_file_or_says_why_not(tmp_path, run):

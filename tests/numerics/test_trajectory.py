@@ -5,10 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from flint import arb
-from three_scenes import PAPER
 
 from numerics import (
-    EventUndecided,
     Force,
     Friction,
     Pair,
@@ -18,10 +16,6 @@ from numerics import (
     load_scene,
     solve,
 )
-from numerics.arithmetic.ball import Ball
-from numerics.trajectory.run import run_scene
-
-ARITHMETICS = ["float64", "mpmath", "ball"]
 
 
 @pytest.mark.parametrize("name", ["forced-friction-by-pieces", "velocities"])
@@ -56,18 +50,6 @@ def test_a_stick_of_thousands_of_turns_keeps_its_ledger():
         assert residual.contains(0)
         assert residual.rad() < lost * 1e-18
         assert all(one.rad() < 1e-35 for one in run.sol(2999))
-
-
-def test_an_undecided_event_carries_its_question():
-    """A horizon that is within 1e-60 of the first event: nothing can be decided in 30 digits."""
-    first = solve(PAPER, digits=80, arithmetic="ball").events[0].t.mid().str(60, radius=False)
-    grazed = replace(PAPER, until=first)
-    with pytest.raises(EventUndecided) as caught:
-        run_scene(grazed, Ball(30))
-    assert "horizon" in caught.value.question
-    assert "+/-" in caught.value.enclosure
-    assert caught.value.digits == 30
-    assert solve(grazed, digits=20, arithmetic="ball").success
 
 
 def test_progress_is_told():
