@@ -24,9 +24,11 @@ KINDS = {
 EXTREME = {f"extreme {name}": one for name, one in extreme_scenes.items() if name not in {"ellipsoid", "box"}}
 WAYS = ["float64", "ball"]
 TESTS = Path(__file__).parent.parent
-SIGNALS = "signals"
+SIGNALS = "signals", "belts"
 """Scenes of all signals have references of their own (tests/test_signals.py, test_signals_answers.py)."""
-FOLDERS = [f"scenes/{one.name}" for one in sorted((TESTS / "scenes").iterdir()) if one.is_dir() and one.name != SIGNALS]
+FOLDERS = [
+    f"scenes/{one.name}" for one in sorted((TESTS / "scenes").iterdir()) if one.is_dir() and one.name not in SIGNALS
+]
 RESTARTED = """contact-to-third-order friction-drops-at-contact jump-at-contact-reverses jump-at-contact-slips-on
 jump-at-contact-sticks jump-just-after-contact tie-at-a-jump-at-contact-slips-on tie-at-a-jump-at-contact-sticks
 tie-on-the-lower-edge touch-in-slip"""
