@@ -3,9 +3,10 @@
 from functools import cache
 
 import pytest
+from scene_files import scenes_in
 from sixty_digits import forced_scene
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, Signal, State, load_scene
+from numerics import Law, Pair, Scene, State, load_scene
 from numerics.trade import peers
 from numerics.trade.contenders import CONTENDERS
 from numerics.trade.forward_euler import forward_euler
@@ -14,18 +15,10 @@ from numerics.trade.measure import FOLDER
 from numerics.trade.peers import PeerFailed, SwitchedPair
 
 PAPER = load_scene("relative-motion-b05")
-FREE, ON_A_BELT = Pair(1, 2, 200, "0.5"), Pair(2, "inf", 50, 4, 1, b_static=5)
-VARIES = Friction([Piece(1, ("0.5", "0.2"), Signal.sine("0.3", 7).pieces[0].sines)])
-SCENES = {
-    "paper": PAPER,
-    "viscous": Scene(Pair(1, 2, 200, "0.5", a1=1), State(v1="0.6"), 5),
-    **{name: forced_scene(name) for name in ("sine-stick-slip", "friction-by-pieces")},
-    "a belt that jumps": Scene(ON_A_BELT, State(), 6, belt=Force.constant("0.3") + Force.step("2.5", "0.2")),
-    "a wall": Scene(FREE, State(), 3, wall=Signal.sine("0.05", 5)),
-    "a force on body 2": Scene(FREE, State(v1="0.2"), 3, force_2=Signal.sine("0.9", 5) + Signal.ramp(1, 2, 1)),
-    "friction that varies": Scene(FREE, State(v1="0.2"), 3, force=Force.sine(1, 6), friction=VARIES),
-    "samples": Scene(FREE, State(v1="0.2"), 3, force=Force.samples([0, "0.7", 1, 2, 3], [0, 2, -2, 1, 0])),
-}
+SCENES = {"paper": PAPER, "viscous": scenes_in("differentiated")["damped"]}
+SCENES |= {name: forced_scene(name) for name in ("sine-stick-slip", "friction-by-pieces", "trapezoid")}
+SIGNALS = "belt-and-wall", "wall-of-a-sine", "incline", "friction-by-a-sine", "static-friction-under-a-sine"
+SCENES |= {name: scenes_in("signals")[name] for name in SIGNALS}
 EULER = "forward Euler"
 # a fine setting, and the digits that it must have there
 FINE = {
@@ -62,7 +55,7 @@ def test_a_fine_setting_has_the_events_and_the_digits(name, scene):
 @pytest.mark.parametrize(("law", "v"), [(Law.FILIPPOV, (-0.28, -0.25)), (Law.THREE_VALUED_SGN, (-0.26, -0.26))])
 def test_forward_euler_slips_from_rest_beyond_the_edge_unless_sgn_0_is_0(law, v):
     """The edge is L = 0.00375 m."""
-    assert forward_euler(Scene(FREE, State("0.0039"), 2, law), 1).y[[1, 3], 1] == pytest.approx(v)
+    assert forward_euler(Scene(Pair(1, 2, 200, "0.5"), State("0.0039"), 2, law), 1).y[[1, 3], 1] == pytest.approx(v)
 
 
 TOUCH, NEAR = (load_scene(FOLDER / f"{name}.toml") for name in ("forced-touch", "near-critical-1e-12"))
