@@ -113,6 +113,11 @@ def test_bad_files_are_refused_in_one_line(kind):
     require_refusal(BAD_TEXTS[kind])
 
 
+@pytest.mark.parametrize("text", REFUSED["proved"])
+def test_friction_that_comes_down_to_0_and_no_further_is_proved(text):
+    assert parse_scene(with_pair(text)).is_forced
+
+
 @pytest.mark.parametrize("said", REFUSED["said"])
 def test_a_refusal_says_what_is_wrong(said):
     for text in REFUSED["said"][said]:

@@ -71,34 +71,6 @@ def proved(piece, until=5):
     return True
 
 
-TINY = Fraction(1, 10**30)
-SMOOTH = (1, 0, -3, 2)  # (1 - t)^2 (1 + 2 t), down to 0 at t = 1
-
-
-@pytest.mark.parametrize(
-    ("piece", "until", "is_proved"),
-    [
-        (Piece(0, (1,), (Sine(1, 1),)), 100, True),
-        (Piece(0, (1 - TINY,), (Sine(1, 1, "-1.5"),)), 100, False),  # at the end of its period
-        (Piece(0, ("0.999999",), (Sine(1, 1),)), 4, True),  # until before the least value
-        (Piece(0, (1, -1)), 1, True),
-        (Piece(0, (1, -1)), 1 + TINY, False),
-        (Piece(0, SMOOTH), 1, True),
-        (Piece(0, SMOOTH), "1.5", False),  # touches 0 within
-        (Piece(0, (1, -2, 1 + TINY)), 1, True),
-        (Piece(0, (1,), (Sine("0.9", 1), Sine("0.2", 2))), 10**9, True),  # by its period
-        (Piece(0, (1,), (Sine("0.9", 1), Sine("0.3", 2))), 10**9, False),
-        (Piece(6, (-1,)), 5, True),  # which begins after the horizon
-    ],
-)
-def test_friction_is_proved_and_refused_next_to_the_edge(piece, until, is_proved):
-    assert proved(piece, Fraction(until)) == is_proved
-
-
-def test_a_piece_of_friction_ends_where_the_next_one_begins():
-    assert Scene(PAIR, State(), 9, friction=Friction([Piece(0, (1, -1)), (1, 0), Piece(2, (0, 1))])).is_forced
-
-
 numbers = st.integers(-20, 20).map(lambda k: Fraction(k, 10))
 waves = st.builds(Sine, numbers, magnitudes(-1, 0), numbers)
 
