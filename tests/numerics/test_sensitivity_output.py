@@ -45,9 +45,3 @@ def test_the_archive_and_the_table_carry_them(scene_file, tmp_path, output):
     lines = output("solve", scene_file, "--sensitivity").splitlines()
     last = next(line for line in lines if line.startswith("by b ")).split()
     assert float(last[2]) == pytest.approx(found.t[-1, WRT.index("b")], rel=1e-5)
-
-
-@pytest.mark.parametrize("form", ["--csv", "--plot=x.svg"])
-def test_outputs_without_room_for_them_refuse(form, scene_file, run):
-    code, _, err = run("solve", scene_file, form, "--sensitivity")
-    assert (code, "--sensitivity" in err) == (2, True)

