@@ -27,6 +27,17 @@ def next_to_an_event(scene: Scene) -> Scene:
     return Scene(scene.pair, scene.initial, Fraction(str(third)) + Fraction(1, 10**18), scene.law, scene.force)
 
 
+@pytest.mark.parametrize(("speed", "digits"), [("2e-12", 5), ("6.6e-8", 2), ("6.6e-8", 4)])
+def test_the_worst_ball_counts_beside_one_that_contains_zero(speed, digits):
+    scene = Scene(Pair(1, 1, 1, 1), State(x1=2, v1=speed, v2=speed), until=40)
+    found = solve(scene, digits=digits, arithmetic="ball", max_events=6)
+    with found.arithmetic.context():
+        positions, velocities = (found.y[rows, :].ravel() for rows in ((0, 2), (1, 3)))
+        for row in (*found.event_times[:, None], positions, velocities, found.energy[-1:]):
+            size = max(abs(one).lower() for one in row)
+            assert all(one.rad() < size / 10**digits for one in row)
+
+
 def doubtful(run, place, k, off):
     """The run if a number of a row of its record were off by so much: time, x1, v1, x2, v2, in balls the excess.
 

@@ -4,28 +4,18 @@ import re
 from fractions import Fraction
 
 import pytest
+from scene_files import scenes_in
 
-from numerics import Force, Pair, Scene, State, load_scene, solve
+from numerics import solve
 from numerics.trajectory.theorem import theorem
 
-PAIR, MOVING = Pair(1, 1, 200, "0.5"), State(v1="0.15")
 
-
-@pytest.mark.parametrize(
-    "scene",
-    [
-        Scene(PAIR, MOVING, 2),
-        Scene(Pair(1, 1, 200, 10**20), State(v1=3 * 10**19), 1),
-        *(Scene(Pair(1, 1, 200, "0.05", a1), MOVING, 1, force=Force.sine("0.3", 5, "0.2")) for a1 in (1, 40)),
-        Scene(Pair(1, 1, 200, "0.05", 1), State(), 1, force=Force.sine("0.3", 5)),
-        *map(load_scene, ("forced-resonance", "forced-sine-stick-slip")),
-    ],
-)
+@pytest.mark.parametrize("scene", scenes_in("proved").values())
 def test_every_event_is_within_its_bounds(scene):
     trajectory = solve(scene, digits=30, arithmetic="ball")
     written = theorem(trajectory)
     table = re.findall(r"^  Event .*?\)\.?[;\]]", written, re.DOTALL | re.MULTILINE)
-    assert len(table) == len(trajectory.events) > 0
+    assert len(table) == len(trajectory.events)
     with trajectory.arithmetic.context():
         for event, text in zip(trajectory.events, table, strict=True):
             bounds = re.findall(r"\((-?[0-9.e+-]+), (-?[0-9.e+-]+)\)", text)
