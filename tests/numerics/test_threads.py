@@ -16,7 +16,9 @@ from three_scenes import DAMPED, PAPER
 from numerics import load_scene, response, sensitivities, solve
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import cached_property, precision
+from numerics.errors import MissingTool
 from numerics.solver.rows import in_chunks
+from numerics.tasks import run_tasks
 from numerics.trajectory.saved import plain
 
 SINE, ROUND = load_scene("forced-sine-stick-slip"), load_scene("plane-circle-merges")
@@ -143,3 +145,22 @@ def test_a_process_that_is_forked_has_a_precision_of_its_own():
             os._exit(0 if flint.ctx.prec == 100 else 1)
     assert os.waitpid(child, 0)[1] == 0
     other.join()
+
+
+# work in several processes
+
+
+def test_several_processes_find_what_one_finds():
+    pytest.importorskip("joblib")
+    tasks = [(number, 40) for number in range(8)]
+    assert sorted(run_tasks(divmod_of, tasks, jobs=2)) == [*run_tasks(divmod_of, tasks)]
+
+
+def divmod_of(task):
+    return task[0], divmod(*task)
+
+
+def test_a_missing_package_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "joblib", None)
+    with pytest.raises(MissingTool, match="joblib"):
+        list(run_tasks(divmod_of, [(0, 1), (1, 1)], jobs=2))
