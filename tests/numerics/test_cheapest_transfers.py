@@ -117,32 +117,33 @@ def test_a_margin_costs_more_and_the_least_time_of_every_transfer_is_what_it_was
         planned(FREE, "0.01", "0.3", margin="0.2")
 
 
-@pytest.mark.parametrize(
-    ("pair", "distance", "time", "peak"),
-    [
-        (FREE, "0.0075", "0.76", 0.5),
-        # a motion is found, whose force is above its peak where friction is at its limit
-        (Pair("0.127", "0.564", "133.87", "0.691"), "0.0123827", "0.34355", 0.811075),
-    ],
-)
-def test_where_more_time_brings_nothing_the_peak_that_the_end_needs_is_named(pair, distance, time, peak):
-    assert least_peak(pair, float(distance), float(time)) == pytest.approx(peak, rel=1e-3)
+ENDS = """
+1 1 200 0.5              | 0.0075    0.76    | 0.5
+0.127 0.564 133.87 0.691 | 0.0123827 0.34355 | 0.811075   a motion is found, whose force exceeds its peak at the limit
+"""
+
+
+@pytest.mark.parametrize("row", ENDS.strip().splitlines())
+def test_where_more_time_brings_nothing_the_peak_that_the_end_needs_is_named(row):
+    pair, (distance, time), (peak, *_) = map(str.split, row.split("|"))
+    assert least_peak(Pair(*pair), float(distance), float(time)) == pytest.approx(float(peak), rel=1e-3)
     with pytest.raises(NotSettled, match=f"with any time the end needs a peak of {peak} N"):
-        planned(pair, distance, time, least="peak")
+        planned(Pair(*pair), distance, time, least="peak")
 
 
 @pytest.mark.parametrize(
-    ("pair", "distance", "time"),
+    "row",
     [
-        (Pair(1, 1, 200, "0.5", 30), "0.006", 10),
-        (Pair("0.379", "9.269", "5.552", "0.109", "9.931"), "0.049368", "6.09448"),
-        (Pair("0.302", "0.231", "16.882", "0.108", "4.513"), "0.053881", "1.07346"),
+        "1 1 200 0.5 30                | 0.006    10",
+        "0.379 9.269 5.552 0.109 9.931 | 0.049368 6.09448",
+        "0.302 0.231 16.882 0.108 4.513 | 0.053881 1.07346",
     ],
 )
-def test_a_motion_that_would_have_to_brake_slower_than_it_comes_to_rest_is_none(pair, distance, time):
+def test_a_motion_that_would_have_to_brake_slower_than_it_comes_to_rest_is_none(row):
     """@example of a wrong least peak: brakes of a negative time were left out, and the pair did not arrive."""
+    pair, asked = map(str.split, row.split("|"))
     with Ball(60).context():
-        assert LeastPeak(pair, Fraction(distance), Fraction(time)).waiting() is None
+        assert LeastPeak(Pair(*pair), *map(Fraction, asked)).waiting() is None
 
 
 @pytest.mark.parametrize(("kind", "far"), [(LeastEnergy, "0.001"), (LeastPeak, "0.004")])

@@ -150,20 +150,23 @@ def test_what_starts_within_a_box_of_a_jump_or_of_an_edge_is_in_doubt():
         boxed(rising, "1e-5")
 
 
-@pytest.mark.parametrize(
-    ("row", "margin", "rest", "found"),
-    [
-        ((1, "-0.7"), "0.2", "0.09", CLEAR),
-        ((1, "-0.7"), "0.2", "0.11", UNKNOWN),
-        ((1, "-1.3"), "0.2", "0.09", 0),
-        ((1, "-1.3"), "0.31", 0, UNKNOWN),
-        ((1, "-1.3"), "0.05", "0.17", UNKNOWN),  # its slope may be off by 2.4
-        (("0.1", -1, "0.525"), 0, 0, UNKNOWN),  # it rises at the very end
-    ],
-)
-def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_it_leaves_out(row, margin, rest, found):
+LOOKS = """
+1 -0.7       | 0.2  | 0.09 | clear
+1 -0.7       | 0.2  | 0.11 | unknown
+1 -1.3       | 0.2  | 0.09 | falls
+1 -1.3       | 0.31 | 0    | unknown
+1 -1.3       | 0.05 | 0.17 | unknown   its slope may be off by 2.4
+0.1 -1 0.525 | 0    | 0    | unknown   it rises at the very end
+"""
+"""Coefficients of a guard on [0, 1], its margin and what it leaves out; what is seen."""
+
+
+@pytest.mark.parametrize("row", LOOKS.strip().splitlines())
+def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_it_leaves_out(row):
     """That counts from where it was expanded; two guards, or a derivative, that fall through 0 do not tell."""
-    guard = Curve(arb_poly([*map(arb, row)]), arb(rest), FEW, arb(margin))
+    coefficients, margin, rest, (seen, *_) = map(str.split, row.split("|"))
+    found = {"clear": CLEAR, "unknown": UNKNOWN, "falls": 0}[seen]
+    guard = Curve(arb_poly([*map(arb, coefficients)]), arb(*rest), FEW, arb(*margin))
     assert look([guard], arb(0), arb(1)) == found
     assert look([guard, guard], arb(0), arb(1)) == (CLEAR if found == CLEAR else UNKNOWN)
     bent = guard._replace(polynomial=guard.polynomial.integral(), rest=arb(0), order=1)
