@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import example, given
 from inclusion import motion
+from scene_files import scenes_in
 from strategies import starts_by_the_edge
 
 from numerics import Force, Pair, Scene, State, solve
@@ -50,18 +51,7 @@ def test_static_friction_holds_what_comes_to_rest_exactly_at_its_limit():
     assert run.status is Status.STUCK_FOR_EVER
 
 
-def riding(speed, b=B, **start):
-    return Scene(Pair(m1=M1, m2="inf", a2=A2, b=b), State(**start), until=10, belt=Force.step(0, speed))
-
-
-def pulled(**start):
-    return Scene(Pair(m1=M1, m2="inf", a2=A2, b=B), State(**start), until=10, wall=Force.ramp(0, 10, 3))
-
-
-CYCLES = [riding("0.3"), riding("0.3", x1="0.01", v1="0.3"), riding("0.3", v1="0.3"), pulled(), pulled(x1="0.01")]
-
-
-@pytest.mark.parametrize("scene", CYCLES)
+@pytest.mark.parametrize("scene", scenes_in("cycles").values())
 def test_a_cycle_that_only_touches_the_speed_of_the_belt_goes_on(scene):
     """After its exit it is a circle of the belt's speed about the edge, without another event; so if the wall moves."""
     run = motion(scene)
@@ -73,5 +63,5 @@ def test_a_cycle_that_only_touches_the_speed_of_the_belt_goes_on(scene):
 @pytest.mark.parametrize(("speed", "then"), [("0.32", []), ("0.321", []), ("1", []), ("0.3199", ["stick", "slip-"])])
 def test_a_swing_that_just_reaches_the_speed_of_the_belt_or_does_not_goes_on(speed, then):
     """From rest it swings about the edge b/a2, at most at omega b/a2 = 0.32 m/s: a slower belt catches it."""
-    run = motion(riding(speed, "3.2"))
+    run = motion(Scene(Pair(m1=M1, m2="inf", a2=A2, b="3.2"), State(), until=10, belt=Force.step(0, speed)))
     assert (run.success, [one.after for one in run.events]) == (True, then)
