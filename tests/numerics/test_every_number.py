@@ -24,10 +24,10 @@ KINDS = {
 EXTREME = {f"extreme {name}": one for name, one in extreme_scenes.items() if name not in {"ellipsoid", "box"}}
 WAYS = ["float64", "ball"]
 TESTS = Path(__file__).parent.parent
-SIGNALS = "signals", "belts", "cycles", "in-doubt", "left-open"
-"""Scenes of all signals, and what floats leave open, have tests of their own."""
+ELSEWHERE = {"signals", "belts", "cycles", "in-doubt", "left-open", "at-once", "planted"}
+"""Scenes of all signals, what floats leave open, and surfaces have tests of their own."""
 FOLDERS = [
-    f"scenes/{one.name}" for one in sorted((TESTS / "scenes").iterdir()) if one.is_dir() and one.name not in SIGNALS
+    f"scenes/{one.name}" for one in sorted((TESTS / "scenes").iterdir()) if one.is_dir() and one.name not in ELSEWHERE
 ]
 RESTARTED = """contact-to-third-order friction-drops-at-contact jump-at-contact-reverses jump-at-contact-slips-on
 jump-at-contact-sticks jump-just-after-contact tie-at-a-jump-at-contact-slips-on tie-at-a-jump-at-contact-sticks

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from control_scenes import DAMPED, outside
 from flint import arb
+from scene_files import scenes_in
 
 from numerics import (
     Force,
@@ -15,7 +16,6 @@ from numerics import (
     Pair,
     Piece,
     Scene,
-    Sine,
     State,
     load_scene,
     response,
@@ -29,23 +29,21 @@ from numerics.control.ring import Settled, periodic_settled
 from numerics.free.abel import creeping_place
 from numerics.trajectory.run import run_scene
 
-CASES = [
-    (load_scene("velocities"), "0.001", 20),
-    (load_scene("itinerary-that-merges"), "0.001", 1),
-    *(
-        (Scene(DAMPED, State(v1=1), 5, force=force), "0.005", 1)
-        for force in (Force.sine("0.2", 12), Force((Piece(0, ["0.4"]),)), Force.trapezoid(1, 0, 1, 0, 3))
-    ),
-    *(
-        (Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 5, force=force), "0.001", 1)
-        for force in (Force.step(0, "0.3"), Force((Piece(0, (), [Sine("0.3", 9)]), Piece(1, ["0.3"]))))
-    ),
-]
+CASES = """
+velocities              0.001 20
+itinerary-that-merges   0.001 1
+a-sine-with-a-damper    0.005 1
+a-constant-force        0.005 1
+a-pulse                 0.005 1
+a-step-without-a-damper 0.001 1
+a-sine-then-a-constant  0.001 1
+"""
 
 
-@pytest.mark.parametrize(("scene", "radius", "rate"), CASES)
-def test_the_entry_is_the_last_sample_outside(scene, radius, rate):
-    found = ring_entry(scene, radius, rate=rate)
+@pytest.mark.parametrize("row", CASES.strip().splitlines())
+def test_the_entry_is_the_last_sample_outside(row):
+    name, radius, rate = row.split()
+    found = ring_entry(scenes_in("settling").get(name) or load_scene(name), radius, rate=rate)
     entry = float(found.entry)
     assert 0 < entry - outside(found, 2 * entry)[-1] < 2.1 * entry / 4_000
 
