@@ -3,24 +3,21 @@
 import csv
 import io
 import json
-from dataclasses import replace
 
 import numpy as np
 import pytest
 from flint import arb
 from matplotlib import pyplot as plt
 from PIL import Image
+from scene_files import scenes_in
 from three_scenes import HOW, PAPER
 
 from numerics import (
-    Force,
-    Friction,
     Pair,
     PlanePair,
     PlaneScene,
     Scene,
     State,
-    Weakening,
     load_scene,
     scene_text,
     sensitivities,
@@ -141,10 +138,7 @@ def test_what_is_said_of_a_ball_of_times_holds_what_is_said_of_each(name):
                     assert all(one.contains(two) for one, two in zip(wide, run.sol(t.mid() + by), strict=True))
 
 
-DRIVEN = Scene(Pair(1, 1, 200, "0.05", "0.5"), State(v1="0.15"), 1, force=Force.sine("0.35", 5))
-
-
-@pytest.mark.parametrize("scene", [DRIVEN, replace(DRIVEN, friction=Friction(weakening=Weakening([(1, "0.04")])))])
+@pytest.mark.parametrize("scene", [load_scene("forced-sine-stick-slip"), scenes_in("followed-in-balls")["weakened"]])
 def test_what_is_lost_over_a_ball_of_times_holds_what_is_lost_up_to_each(scene):
     run = solve(scene, digits=20, arithmetic="ball")
     with run.context():
