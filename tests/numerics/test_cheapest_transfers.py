@@ -6,16 +6,13 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from control_scenes import DAMPED, FREE, arrived
+from control_scenes import FREE, arrived
 from flint import arb, arb_poly
 from scipy.optimize import linprog, lsq_linear
 
 from numerics import NotSettled, Pair, Scene, State, cheapest_transfer
 from numerics.arithmetic.ball import Ball
 from numerics.control.optimal import LeastEnergy, LeastPeak
-
-STIFF, HEAVY = Pair(1, 1, 200, "0.5", 40), Pair("0.7", 3, 90, "1.2", "0.2")
-OVERDAMPED = Pair(1, 1, 200, "0.5", 60)
 
 
 def planned(pair, distance, time, **asked):
@@ -57,17 +54,16 @@ def least_peak(pair, far, until, cells=400):
 
 PROGRAMS = {"energy": (least_energy, 5e-3), "peak": (least_peak, 2e-2)}
 """Of each cost the program, and how good it is."""
-EDGE = Pair("0.8995", "0.1586", "90.4", "0.01315")
-SLOWED = Pair("0.675", "3.963", "20.175", "7.633", "8.787")
-PAIRS = {
-    "slowed": SLOWED,
-    "free": FREE,
-    "damped": DAMPED,
-    "stiff": STIFF,
-    "heavy": HEAVY,
-    "overdamped": OVERDAMPED,
-    "edge": EDGE,
-}
+PAIRS = """
+free       1      1      200    0.5
+damped     1      1      200    0.5     3
+stiff      1      1      200    0.5     40
+overdamped 1      1      200    0.5     60
+heavy      0.7    3      90     1.2     0.2
+edge       0.8995 0.1586 90.4   0.01315
+slowed     0.675  3.963  20.175 7.633   8.787
+"""
+PAIR_OF = {name: Pair(*numbers) for name, *numbers in map(str.split, PAIRS.strip().splitlines())}
 ASKED = """
 energy free        0.01    0.3     at the limit in the end
 energy free        0.01    0.283   at both ends
@@ -97,7 +93,7 @@ peak   slowed      1.898   3.2     slower as it begins to brake: once it slipped
 @pytest.mark.parametrize("row", ASKED.strip().splitlines())
 def test_the_bodies_stick_and_arrive_by_the_reference_and_no_program_finds_less(row):
     least, name, distance, time, *_ = row.split()
-    pair, (program, close) = PAIRS[name], PROGRAMS[least]
+    pair, (program, close) = PAIR_OF[name], PROGRAMS[least]
     found = planned(pair, distance, time, least=least)
     run = arrived(found, distance)
     assert (list(run.events), run.mode) == ([], 0)

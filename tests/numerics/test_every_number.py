@@ -24,7 +24,7 @@ KINDS = {
 EXTREME = {f"extreme {name}": one for name, one in extreme_scenes.items() if name not in {"ellipsoid", "box"}}
 WAYS = ["float64", "ball"]
 TESTS = Path(__file__).parent.parent
-ELSEWHERE = {"signals", "belts", "cycles", "in-doubt", "left-open", "at-once", "planted"}
+ELSEWHERE = {"signals", "belts", "cycles", "in-doubt", "left-open", "at-once", "surfaces"}
 """Scenes of all signals, what floats leave open, and surfaces have tests of their own."""
 FOLDERS = [
     f"scenes/{one.name}" for one in sorted((TESTS / "scenes").iterdir()) if one.is_dir() and one.name not in ELSEWHERE

@@ -19,7 +19,7 @@ from numerics.plane.polynomial import first_root
 from numerics.plane.series import expand
 from numerics.scene.plane import PlanePair, PlaneScene
 
-BOX, ELLIPSE, ROUND = (scenes_in("planted")[name] for name in ("box", "ellipse", "round"))
+BOX, ELLIPSE, ROUND = (scenes_in("surfaces")[name] for name in ("box", "ellipse", "round"))
 
 
 def moved(scene, name, axis, by):
