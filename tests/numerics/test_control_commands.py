@@ -54,7 +54,7 @@ PRINTED = """
 response forced-sine-stick-slip | stick-slip: the bodies slip and stick in every period
 response forced-sine-stick-slip | mean velocity of body 2 = 0 m/s, within 0
 track at-rest --reference s-curve | within b = 0.5 N
-track at-rest --reference too-fast | TOO MUCH by 0.0773502691896258 N (+/-
+track at-rest --reference too-fast | TOO MUCH by 0.0773502691896258 N (+/- 5.74E-17) for b = 0.5 N
 move at-rest --distance 0.001 --amplitude 1.08 | slips of about 10^-20 m
 move at-rest --distance 0.01 | at its limit: to within 10^-18
 move at-rest --distance 0.01 --margin 0.2 | no force that keeps the margin is faster
