@@ -1,4 +1,4 @@
-"""Single steps of the kernel: what is clear, which root is the first one, and what follows a late event."""
+"""Single steps of the kernel: what is clear, which root is the first, what follows a late event; exact crossings."""
 
 import math
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""Ground and belt, walls, forces on body 2, b(t) and measured samples: read exactly, proved, or refused in one line."""
+"""Ground and belt, walls, forces on body 2, b(t) and measured samples: exact, proved, or refused in one line."""
 
 import copy
 import pickle

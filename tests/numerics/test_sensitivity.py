@@ -1,4 +1,4 @@
-"""Sensitivities against differences of solves in balls, against other arithmetics, and what is exact of them."""
+"""Sensitivities against differences of solves in balls and other arithmetics; what is exact of them; as commands."""
 
 import tomllib
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""`solve --proof`: what it writes, and what it refuses in a sentence. The kernel judges it in paper_checks/proofs."""
+"""`solve --proof`: the bounds that it writes hold the events. The kernel judges them in paper_checks/proofs."""
 
 import re
 from fractions import Fraction

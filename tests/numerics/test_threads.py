@@ -1,4 +1,4 @@
-"""Threads share the precision of flint and of mpmath: each computes what it computes alone, and the precision stays."""
+"""Threads and processes: each computes what it computes alone, the precision stays, and one compiles for all."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""Time against accuracy: judging by planted faults, timing by a planted clock, leads, what is recorded, the command."""
+"""Time against accuracy: judging by planted faults, a planted clock, leads, records, the command; peers are right."""
 
 import math
 import re

@@ -1,8 +1,7 @@
-"""Friction that depends on the state: whether it is the motion, across digits, at ties, and what is refused."""
+"""Friction that depends on the state: whether it is the motion, across digits, and at ties."""
 
 from dataclasses import replace
 
-import matplotlib as mpl
 import numpy as np
 import pytest
 from hypothesis import given
@@ -23,8 +22,6 @@ from numerics import (
 )
 from numerics.linear.enclosed import EnclosedRun
 from numerics.trajectory.curve import sampled
-
-mpl.use("Agg")
 
 SCENES, BALLS = scenes_in("weakened"), scenes_in("followed-in-balls")
 ON_A_KNOT = [*scenes_in("on-a-knot").values(), scenes_in("belts")["at-an-irrational-speed"]]
