@@ -3,19 +3,16 @@
 from fractions import Fraction
 
 import mpmath
-import pytest
 from flint import arb
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from strategies import near_quarter_turns, positive_floats, two_floats
 
-from numerics import EventUndecided
 from numerics.arithmetic import functions
-from numerics.arithmetic.ball import Ball, proved_sign
+from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.pair import TwoFloats, nearest, plus, product, quotient, times, two_product, two_sum
 from numerics.arithmetic.precision import precision
-from numerics.free.root import falling_root
 
 BITS = 8000
 """Of the truth."""
@@ -84,27 +81,7 @@ def test_what_a_rounding_leaves_out_is_kept(a, b, sign):
         assert abs(whole(found) - true) <= most * abs(true) / 2**106
 
 
-@pytest.mark.parametrize("x", [arb("nan"), arb("inf"), arb(0, 1), arb(1, 2)])
-def test_balls_that_are_not_finite_or_hold_0_decide_nothing(x):
-    for decide in (proved_sign, functions.sign, *[functions.ceiling] * x.is_finite()):
-        with Ball(20).context(), pytest.raises(EventUndecided, match="a graze"):
-            decide(x, "a graze?")
+def test_a_ball_of_0_has_the_sign_0_and_one_that_reaches_below_0_a_root_all_the_same():
     with Ball(20).context():
         assert functions.sign(arb(0), "a graze?") == 0
         assert functions.sqrt(arb(0, 1e-30)).contains(arb(1e-15))
-
-
-def line(x):
-    """It falls through 0 at 1; with its slope."""
-    return 1 - x, arb(-1)
-
-
-def wide(x):
-    """The Newton step overlaps its region but is not inside it, and a wider region would leave the bracket."""
-    return arb(0.5) - x + arb(0, 1e-3), arb(-1) if x.rad() == 0 else arb(-1, 0.95)
-
-
-@pytest.mark.parametrize(("low", "high", "f"), [(2, 3, line), (0, 1, line), (1, 2, line), (0.497, 0.503, wide)])
-def test_a_ball_root_that_may_not_be_in_its_bracket_is_not_proved(low, high, f):
-    with Ball(30).context(), pytest.raises(EventUndecided, match="existence"):
-        falling_root(arb(low), arb(high), f)

@@ -1,23 +1,25 @@
-"""The Abel functions and the contact of the free pair: their error bounds against the truth."""
+"""The Abel functions and the contact of the free pair, and the energy at late times: error bounds against the truth."""
 
 from fractions import Fraction
 from functools import cache
-from itertools import islice
+from itertools import islice, pairwise
 
 import mpmath
 import pytest
-from flint import arb
+from flint import acb, arb, fmpq
 from hypothesis import example, given
 from hypothesis import strategies as st
 from strategies import decimals
 
-from numerics import EventUndecided, Pair
-from numerics.arithmetic.ball import Ball
+from numerics import EventUndecided, Pair, Scene, State, solve
+from numerics.arithmetic.ball import Ball, digits_within
 from numerics.arithmetic.multiprecision import Multiprecision
-from numerics.free.abel import AbelFunctions
+from numerics.free.abel import AbelFunctions, arcs
 from numerics.free.contact import contact
+from numerics.free.energy import EnergyMethod, energy_at
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
+from numerics.linear.modes import EventKind
 
 FAR = 400
 """Excursions after which a function of any order is known to many more digits than at the start."""
@@ -91,7 +93,38 @@ def test_a_contact_in_mpmath_is_that_of_balls(gap, push, on_ray, back):
             assert abs(one / arb(mpmath.nstr(two, 70)) - 1) < 1e-58
 
 
-@pytest.mark.parametrize(("gap", "push"), [(-1, 1), (0, 0), (1, "nan"), ("inf", 1)])
-def test_a_slip_that_does_not_exist_is_refused(gap, push):
-    with Ball(16).context(), pytest.raises(EventUndecided, match="existence"):
-        contact(arb(gap), arb(push))
+# the energy at times that nobody could step to; what it is there, against stepping and the 1/t law: properties/
+
+
+def test_viscous_scenes_take_the_short_road():
+    pair = Pair(m1=1, m2=1, a1=5, a2=200, b="0.05")
+    found = energy_at(Scene(pair, State(v1="0.15"), until=1), 100, digits=20)
+    assert found.road is EnergyMethod.NO_MORE_SLIP
+    with found.frame.arithmetic.context():
+        assert digits_within(found.energy_excess.rad(), found.energy_excess, arb(1)) >= 20
+    damped = Scene(Pair(1, 1, 200, "0.5", "0.01"), State(v1="0.15"), until=3)
+    exits = sum(one.kind is EventKind.EXIT for one in solve(damped).events)
+    assert energy_at(damped, 3).excursions == exits > 0
+
+
+def test_the_energy_at_a_late_time_as_a_command(output, record):
+    asked = ("energy", "start-with-speed", "--at")
+    found = record(*asked, "1e100", "--digits", 20)
+    assert found["energy_excess"].startswith("1.396263401595463661")
+    assert len(found["excursions"]) == 101
+    assert float(found["x1_radius"]) < 1e-20
+    assert found["v1"] == found["v2"]  # it sticks then
+    assert "Abel functions" in output(*asked, "1e4", "--explain")
+
+
+def test_the_rim_is_covered_without_gaps():
+    """Schwarz's lemma needs the whole rim: the boxes overlap in turn, and the first and last meet the real axis."""
+    with Ball(20).context():
+        boxes = list(arcs(Fraction(6, 5)))
+        assert boxes[0].imag.contains(0)
+        assert boxes[-1].imag.contains(0)
+        assert all(one.overlaps(two) for one, two in pairwise(boxes))
+        rim = arb(fmpq(6, 5))
+        for k in range(0, 3000, 7):  # points of the rim lie in a box
+            angle = arb.pi() * k / 3000
+            assert any(box.contains(acb((rim * angle.cos()).mid(), (rim * angle.sin()).mid())) for box in boxes)

@@ -100,6 +100,7 @@ solve start-at-6mm --arithmetic float64 --digits 9 | --digits 9 needs ball or mp
 solve start-at-6mm --dig 9
 solve start-at-6mm --digits 1e3
 energy forced-step --at 1
+energy start-with-speed --at inf
 response velocities
 response velocities --omega 0 | omega = 0
 response velocities --omega 3 | no force
@@ -142,6 +143,8 @@ ring velocities --radius -1e-3 | radius = -0.001
 move at-rest --distance 1 --amplitude -1e-3 | amplitude = -0.001
 solve velocities --npz= | the name is empty
 solve velocities --check --csv | leave --csv out
+solve velocities --sensitivity --csv | --sensitivity
+solve velocities --sensitivity --plot=x.svg | --sensitivity
 energy plane-box --at 1 | surface
 ring plane-box --radius 1 | surface
 solve plane-circle-merges --proof F.v | is available on a line only
@@ -229,13 +232,16 @@ REFUSED = """
 solve velocities --digits 500 --max-digits 100 | --max-digits
 solve velocities --max-events 2 | --max-events = 2, t = 0.
 energy start-with-speed --at 1e50 --max-steps 3 | --max-steps
+solve velocities-literal --proof b.v | error: no theorem is written
 move at-rest --distance 0.0075 --least peak --time 0.9 | the end needs a peak of 0.5 N
 """
 
 
 @pytest.mark.parametrize("line", REFUSED.strip().splitlines())
-def test_a_refusal_names_the_argument_that_helps(run, line):
+def test_a_refusal_names_the_argument_that_helps(run, monkeypatch, tmp_path, line):
+    monkeypatch.chdir(tmp_path)
     words, argument = line.split(" | ")
     code, _, err = run(*words.split())
     assert (code, argument in err) == (1, True)
+    assert not list(tmp_path.iterdir())
     assert not re.search(r"\w=|solve\(", err)

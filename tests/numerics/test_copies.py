@@ -13,14 +13,13 @@ import numpy as np
 import pytest
 from flint import acb, arb, arb_mat, arb_poly
 from hypothesis import example, given
+from scene_files import scenes_in
 from strategies import balls
 from three_scenes import DAMPED, HOW, PAPER, STUCK
 
 import numerics
 from numerics import (
     InvalidScene,
-    PlanePair,
-    PlaneScene,
     PlaneTrajectory,
     Trajectory,
     load_scene,
@@ -35,15 +34,14 @@ from numerics.trajectory.run import free_scene
 COPIES = [lambda one: pickle.loads(pickle.dumps(one)), copy.copy, copy.deepcopy]
 TIMES = [0, "0.1", "1/3", 0.5, 2]
 PLANE = load_scene("plane-box")
-COUPLED = [[200, 0, 60], [0, 90, 0], [60, 0, 120]]
-BOX, ROUND = PlanePair(1, 1, [200, 120], ["0.5", "0.3"], shape="box"), PlanePair(1, 1, 200, "0.5")
+SURFACES = scenes_in("surfaces")
 LINES = [PAPER, DAMPED, STUCK, load_scene("forced-friction-by-pieces"), load_scene("conveyor").replace(until=1)]
 RUNS = [(scene, how) for scene in LINES for how in HOW if free_scene(scene) or how.get("arithmetic") != "mpmath"]
 RUNS += [(PAPER, {"digits": 20, "t_eval": TIMES}), (PLANE, {"digits": 20})]
 RUNS += [
-    (PlaneScene(BOX, 2, x1=["0.012", 0], v1=["0.1", "-0.2"], x2=[0, "1/3"]), {"digits": 12}),  # two motions of the line
-    (PlaneScene(PlanePair(1, 1, COUPLED, "0.5", shape="box"), 2, x1="0.01", v1="0.1", x2=[1, 2, 3]), {}),  # two parts
-    (PlaneScene(ROUND, 2, v1=["0.06", "0.01"]), {"t_eval": TIMES}),
+    (SURFACES["two-lines"], {"digits": 12}),
+    (SURFACES["two-parts"], {}),
+    (SURFACES["isotropic"], {"t_eval": TIMES}),
 ]
 
 
@@ -114,7 +112,7 @@ def test_a_batch_answers_as_before():
 
 
 def test_a_scene_that_no_file_holds_is_compared_and_pickled_all_the_same():
-    run = solve(PlaneScene(ROUND, 2, v1=[Fraction(6, 100) + Fraction(1, 7**1500), "0.01"]))
+    run = solve(SURFACES["isotropic"].replace(v1=[Fraction(6, 100) + Fraction(1, 7**1500), "0.01"]))
     assert pickle.loads(pickle.dumps(run)) == run
     with pytest.raises(InvalidScene, match="at most 1000 are read"):
         run.save("run.npz")

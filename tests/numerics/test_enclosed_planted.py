@@ -1,15 +1,16 @@
 """The engine in balls, disturbed: what a step, an event or a polynomial is off by is in what is said of the answer."""
 
-import math
 from copy import copy
 from fractions import Fraction
 
 import pytest
 from enclosed_runs import ONE_ANSWER, events, itinerary, numbers, run, same, under
 from flint import arb, arb_poly
+from kernel_runs import moved
+from scene_files import scenes_in
 from sixty_digits import forced_scene
 
-from numerics import EventUndecided, Force, Pair, Piece, Scene, Sine, State, Weakening
+from numerics import EventUndecided, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
@@ -131,38 +132,28 @@ def boxed(scene, radius):
     return run(scene, arithmetic=lambda digits: Box(digits, Ball.number(Fraction(radius))))
 
 
-def test_what_starts_within_a_box_of_a_jump_or_of_an_edge_is_in_doubt():
-    """A load that jumps to just below b, and falls; and one that swings up to there after the horizon."""
-    pair, near = Pair("0.4", "0.6", 1, "0.6"), 1 - Fraction(1, 10**6)
-    jump = Force([Piece(0), Piece("0.8", [near - Fraction(0.3 * math.cos(0.8))])])
-    jumping = Scene(pair, State("-0.3"), 1, force=jump)
-    assert boxed(jumping, "1e-7").events == 0
-    with pytest.raises(EventUndecided):
-        boxed(jumping, "2e-6")
-    swing = Scene(pair, State(0, near, 0, near), "0.1")
-    assert boxed(swing, "1e-8").how is How.STUCK
-    assert boxed(swing, "1e-5").how is How.REACHED
-    c = near / 600  # a load that rises up to there, and a free motion that keeps it from being exact
-    rising = Scene(pair, State("1e-9", -6 * c, 0, -6 * c), 100, force=Force([Piece(0, [0, 0, 0, c])]))
-    assert boxed(rising, "1e-8").events == 0
-    with pytest.raises(EventUndecided):
-        boxed(rising, "1e-5")
+def test_a_stick_whose_load_may_come_up_to_b_later_is_not_for_ever_for_a_box():
+    swing = Scene(Pair("0.4", "0.6", 1, "0.6"), State(0, "0.999999", 0, "0.999999"), "0.1")
+    assert [boxed(swing, radius).how for radius in ("1e-8", "1e-5")] == [How.STUCK, How.REACHED]
 
 
-@pytest.mark.parametrize(
-    ("row", "margin", "rest", "found"),
-    [
-        ((1, "-0.7"), "0.2", "0.09", CLEAR),
-        ((1, "-0.7"), "0.2", "0.11", UNKNOWN),
-        ((1, "-1.3"), "0.2", "0.09", 0),
-        ((1, "-1.3"), "0.31", 0, UNKNOWN),
-        ((1, "-1.3"), "0.05", "0.17", UNKNOWN),  # its slope may be off by 2.4
-        (("0.1", -1, "0.525"), 0, 0, UNKNOWN),  # it rises at the very end
-    ],
-)
-def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_it_leaves_out(row, margin, rest, found):
+LOOKS = """
+1 -0.7       | 0.2  | 0.09 | clear
+1 -0.7       | 0.2  | 0.11 | unknown
+1 -1.3       | 0.2  | 0.09 | falls
+1 -1.3       | 0.31 | 0    | unknown
+1 -1.3       | 0.05 | 0.17 | unknown   its slope may be off by 2.4
+0.1 -1 0.525 | 0    | 0    | unknown   it rises at the very end
+"""
+"""Coefficients of a guard on [0, 1], its margin and what it leaves out; what is seen."""
+
+
+@pytest.mark.parametrize("row", LOOKS.strip().splitlines())
+def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_it_leaves_out(row):
     """That counts from where it was expanded; two guards, or a derivative, that fall through 0 do not tell."""
-    guard = Curve(arb_poly([*map(arb, row)]), arb(rest), FEW, arb(margin))
+    coefficients, margin, rest, (seen, *_) = map(str.split, row.split("|"))
+    found = {"clear": CLEAR, "unknown": UNKNOWN, "falls": 0}[seen]
+    guard = Curve(arb_poly([*map(arb, coefficients)]), arb(*rest), FEW, arb(*margin))
     assert look([guard], arb(0), arb(1)) == found
     assert look([guard, guard], arb(0), arb(1)) == (CLEAR if found == CLEAR else UNKNOWN)
     bent = guard._replace(polynomial=guard.polynomial.integral(), rest=arb(0), order=1)
@@ -175,3 +166,65 @@ def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
     zero, off = arb(0), arb("0.1")
     at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero, (0, 1))
     assert path.margin(at) > off * 8.999
+
+
+# whole starts, moved by a little: noticed, or in doubt
+
+
+def test_a_stick_that_has_died_away_keeps_its_digits():
+    scene = Scene(Pair(m1=2, m2=1, a2=12, b=1, a1=100), State(x1="0.01"), 900)
+    end = run(scene).end
+    assert abs(end.x1) < arb("1e-40")
+    assert end.x1.rad() < abs(end.x1) * arb("1e-25")
+
+
+NO_ANSWER = """
+friction-that-vanishes-at-a-place   3e-3 0 0 0
+friction-that-vanishes-at-a-speed   0 2e-3 0 0
+a-speed-that-nearly-comes-to-a-knot 0 2e-3 0 0
+a-place-that-nearly-comes-to-a-knot 0 0 -1e-3 0
+a-load-that-jumps-to-just-below-b   2e-6 0 0 0
+a-load-that-rises-to-just-below-b   1e-5 0 0 0
+"""
+"""Scenes, and how far off x1, v1, x2 and v2 go on in another way, so that there is no answer for both."""
+
+
+def for_all(scene, off, monkeypatch):
+    """An answer that is told how far off its start may be."""
+    with monkeypatch.context() as patch:
+        begin = EnclosedRun.begin
+
+        def planted(path, knot):
+            at, (x1, v1, x2, v2) = begin(path, knot), map(Ball.number, off)
+            norm = path.flow(at).norm.of((x1, v1, x2, v2))
+            return at._replace(norm=norm, far=abs(x1).upper(), place=abs(x1 - x2).upper())
+
+        patch.setattr(EnclosedRun, "begin", planted)
+        return run(scene)
+
+
+@pytest.mark.parametrize("name", ONE_ANSWER)
+def test_one_answer_for_all_that_start_as_near_is_that_of_a_neighbour(name, monkeypatch):
+    """And not much more. @example of a found fault: an event's x2 off by less than a slower body 2 had gone."""
+    scene, off = ONE_ANSWER[name]
+    off = [Fraction(one, 10**20) for one in off]
+    neighbour = run(moved(scene, off), 60)
+    found = for_all(scene, [one * Fraction(10_001, 10_000) for one in off], monkeypatch)
+    assert same((scene, found), (scene, neighbour))
+    ends = zip(*(numbers(scene, one.end)[1:] for one in (found, neighbour)), strict=True)
+    assert max(abs(b - a.mid()) / a.rad() for a, b in ends) > 0.5
+
+
+def for_a_box(scene, off, _):
+    """The same by balls about the start."""
+    return boxed(scene, max(map(abs, off)))
+
+
+@pytest.mark.parametrize("answer", [for_all, for_a_box])
+@pytest.mark.parametrize("row", NO_ANSWER.strip().splitlines())
+def test_no_answer_is_given_for_neighbours_that_go_on_in_another_way(row, answer, monkeypatch):
+    name, *off = row.split()
+    scene, off = scenes_in("doubtful")[name], [*map(Fraction, off)]
+    with pytest.raises(EventUndecided):
+        answer(scene, off, monkeypatch)
+    assert answer(scene, [one / 10**6 for one in off], monkeypatch).rows

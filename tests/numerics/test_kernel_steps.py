@@ -1,6 +1,7 @@
-"""Single steps of the kernel: what is clear, which root is the first one, and what follows a late event."""
+"""Single steps of the kernel: what is clear, which root is the first, what follows a late event; exact crossings."""
 
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from strategies import polynomials_of_roots
 from numerics import Force, Pair, Piece, Scene, State
 from numerics.linear.first_root import CLEAR, ROOT, UNDECIDED, first_root
 from numerics.linear.next_event import Next, Step, next_event
+from numerics.linear.polynomial_root import first_crossing, touches
 from numerics.linear.resolve import UNDECIDED as NO_MODE
 from numerics.linear.resolve import arrived, mode_after
 from numerics.linear.room import form_z
@@ -106,3 +108,17 @@ def test_an_exit_that_rounding_misplaces_adds_what_the_bodies_part_until_then(ow
     slope = 1e-3
     after, _ = arrived(run, now, Next(ROOT, 1.0, 0, 0.5, slope, own))
     assert run.norm.kappa * slope * (own / slope) ** 2 / 2 <= after.N - now.N
+
+
+# the first sign change of polynomials is exact: roots of any multiplicity, touches passed over
+
+
+def test_a_crossing_is_the_first_root_of_odd_multiplicity_after_a_time():
+    t = [Fraction(one) for one in (0, -4, 8, -5, 1)]  # t (t - 1) (t - 2)^2
+    for after, found in ((0, (1, True)), (Fraction(1, 2), (1, True)), (1, (3, False)), (2, (3, False))):
+        assert first_crossing([t], Fraction(after), Fraction(3)) == found
+    assert [touches([t], Fraction(after), Fraction(3)) for after in (0, 1, 2)] == [True, True, False]
+    for square, touched in (([-2, 0, 1], 0), ([-2, 4, -1, -2, 1], 1)):  # t^2 - 2, and that (t - 1)^2
+        before, is_root = first_crossing([list(map(Fraction, square))], Fraction(0), Fraction(3))
+        assert (touched < before and before**2 < 2, is_root) == (True, False)
+    assert first_crossing([[Fraction(2), Fraction(-2), Fraction(1)]], Fraction(0), Fraction(3)) == (3, False)

@@ -10,7 +10,7 @@ import pytest
 from control_scenes import DAMPED, UNEVEN, answer, started
 from flint import arb, arb_mat
 
-from numerics import EventUndecided, Force, NotSettled, Pair, Piece, Scene, State, response
+from numerics import EventUndecided, Force, Piece, Scene, State, response
 from numerics.arithmetic.ball import Ball
 from numerics.control import orbit, ring
 from numerics.control.orbit import middle, one_round, solve_orbit, state_at
@@ -72,15 +72,6 @@ def test_a_motion_is_proved_by_what_the_period_map_does_to_a_box_not_to_a_point(
     monkeypatch.setattr(orbit, "one_round", wide)
     with Ball(20).context(), pytest.raises(EventUndecided):
         solve_orbit(found.drive, found)
-
-
-@pytest.mark.parametrize(
-    ("omega", "max_events", "said"), [("7.000000001", 500, "100 events, a fifth"), ("15", 27, "5 events, a fifth")]
-)
-def test_what_does_not_settle_within_the_cap_is_said_at_once(omega, max_events, said):
-    scene = Scene(Pair(1, 1, 200, "0.05", 1), State(), 1, force=Force.sine("0.3", 5) + Force.sine("0.3", omega))
-    with pytest.raises(NotSettled, match=said):
-        response(scene, max_events=max_events)
 
 
 # what is left to slide next to it

@@ -62,22 +62,25 @@ def test_a_load_above_the_limit_for_a_ten_thousandth_of_a_period_is_seen():
         assert response(scene).regime is not Regime.ENTRAINED
 
 
-@pytest.mark.parametrize(
-    ("pair", "amplitude", "omega", "regime", "has_multipliers", "said"),
-    [
-        (FREE, "0.5", 20, "ENTRAINED", True, "but each tends to one in which the bodies stick permanently"),  # below U*
-        # beside it no other motion sticks for ever
-        (FREE, "0.75", 20, "ENTRAINED", False, "permanently; its load touches the limit"),
-        (Pair(1, 1, 68, "0.5", 5), "0.5", 4, "ENTRAINED", True, "every motion tends to it, and sticks"),
-        (Pair(1, 2, 84, "0.5", 12), "0.9375", 4, "ENTRAINED", False, "every motion"),  # Z = |36 + 48 i| = 60
-        (Pair(1, 2, 84, "0.5", 12), "0.9375000000001", 4, "STICK_SLIP", True, "every motion"),
-        (Pair(1, 1, 100, "0.5"), "0.6", 10, "STICK_SLIP", True, ""),
-        (Pair(1, 1, 100, "0.5"), "0.8", 10, "GROWS", False, "every motion grows"),
-    ],
-)
-def test_regime_and_attraction_on_both_sides_of_a_threshold(pair, amplitude, omega, regime, has_multipliers, said):
-    found = answer(pair, amplitude, omega)
-    assert (found.regime.name, found.multipliers is not None) == (regime, has_multipliers)
+REGIMES = """
+1 1 200 0.5    | 0.5    20 | ENTRAINED  | yes | but each tends to one in which the bodies stick permanently
+1 1 200 0.5    | 0.75   20 | ENTRAINED  | no  | permanently; its load touches the limit
+1 1  68 0.5  5 | 0.5     4 | ENTRAINED  | yes | every motion tends to it, and sticks
+1 2  84 0.5 12 | 0.9375  4 | ENTRAINED  | no  | every motion
+1 2  84 0.5 12 | 0.9375000000001 4 | STICK_SLIP | yes | every motion
+1 1 100 0.5    | 0.6    10 | STICK_SLIP | yes |
+1 1 100 0.5    | 0.8    10 | GROWS      | no  | every motion grows
+"""
+"""m1, m2, a2, b and a1; the force; the regime; whether there are multipliers. U* is 0.75 N in the first rows: at it no
+other motion sticks for ever beside the entrained one. In the fourth |Z| = |36 + 48 i| = 60."""
+
+
+@pytest.mark.parametrize("row", REGIMES.strip().splitlines())
+def test_regime_and_attraction_on_both_sides_of_a_threshold(row):
+    pair, force, regime, has_multipliers, said = (one.strip() for one in row.split("|"))
+    amplitude, omega = force.split()
+    found = answer(Pair(*pair.split()), amplitude, omega)
+    assert (found.regime.name, found.multipliers is not None) == (regime, has_multipliers == "yes")
     assert said in found.attraction
     if regime == "GROWS":
         assert abs(found.growth - (arb(amplitude) - 2 / arb.pi()) / 2) < 1e-10

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from control_scenes import DAMPED, outside
 from flint import arb
+from scene_files import scenes_in
 
 from numerics import (
     Force,
@@ -15,7 +16,6 @@ from numerics import (
     Pair,
     Piece,
     Scene,
-    Sine,
     State,
     load_scene,
     response,
@@ -26,25 +26,24 @@ from numerics.arithmetic.ball import Ball
 from numerics.control import ring as rings
 from numerics.control.orbit import Orbit, state_at
 from numerics.control.ring import Settled, periodic_settled
+from numerics.free.abel import creeping_place
 from numerics.trajectory.run import run_scene
 
-CASES = [
-    (load_scene("velocities"), "0.001", 20),
-    (load_scene("itinerary-that-merges"), "0.001", 1),
-    *(
-        (Scene(DAMPED, State(v1=1), 5, force=force), "0.005", 1)
-        for force in (Force.sine("0.2", 12), Force((Piece(0, ["0.4"]),)), Force.trapezoid(1, 0, 1, 0, 3))
-    ),
-    *(
-        (Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 5, force=force), "0.001", 1)
-        for force in (Force.step(0, "0.3"), Force((Piece(0, (), [Sine("0.3", 9)]), Piece(1, ["0.3"]))))
-    ),
-]
+CASES = """
+velocities              0.001 20
+itinerary-that-merges   0.001 1
+a-sine-with-a-damper    0.005 1
+a-constant-force        0.005 1
+a-pulse                 0.005 1
+a-step-without-a-damper 0.001 1
+a-sine-then-a-constant  0.001 1
+"""
 
 
-@pytest.mark.parametrize(("scene", "radius", "rate"), CASES)
-def test_the_entry_is_the_last_sample_outside(scene, radius, rate):
-    found = ring_entry(scene, radius, rate=rate)
+@pytest.mark.parametrize("row", CASES.strip().splitlines())
+def test_the_entry_is_the_last_sample_outside(row):
+    name, radius, rate = row.split()
+    found = ring_entry(scenes_in("settling").get(name) or load_scene(name), radius, rate=rate)
     entry = float(found.entry)
     assert 0 < entry - outside(found, 2 * entry)[-1] < 2.1 * entry / 4_000
 
@@ -121,3 +120,29 @@ def test_a_piece_that_begins_after_the_horizon_counts():
     assert found.entry > 3
     y = solve(replace(scene, until=Fraction(10))).sol(float(found.entry.mid()) + np.linspace(1e-6, 5, 400))
     assert np.hypot(y[0] - y[2] - float(found.centre), y[1] - y[3]).max() <= 0.0005
+
+
+# where a creeping pair comes to rest
+
+
+@pytest.mark.parametrize("share", [Fraction(1, 5), Fraction(1, 2), Fraction(9, 10)])
+def test_a_creeping_pair_stays_within_what_is_said(share):
+    """From the event on x1 - x2 is within `reach` of the limit, v1 - v2 within `speed`, and both bounds are of use.
+
+    The limit is the same, from whichever event it is read.
+    """
+    pair = Pair(m1=share, m2=1 - share, a2=1, b=1 - share)  # L = Omega = 1
+    speed = Fraction(float(share * Fraction(12, 1000)) ** 0.5)
+    run = run_scene(Scene(pair, State(x1=pair.half_width, v1=speed, v2=speed), 60), Ball(40))
+    with run.arithmetic.context():
+        found = creeping_place(run, pair, 1.0, Fraction(0))
+        assert found.index < 4
+        assert found.limit.overlaps(creeping_place(run, pair, 1.0, Fraction(40)).limit)
+        far = [abs(one.y[0] - one.y[2] - found.limit) for one in list(run.events)[found.index :]]
+        assert all(one <= found.reach for one in far)
+        assert max(float(one) for one in far) > float(found.reach) / 3
+    # a slip is fastest where its guard is largest; by slips of a hundredth of the time
+    begin, end = (Fraction(float(run.events[found.index + n].t)) for n in (0, 1))
+    states = (run.sol(begin + (end - begin) * Fraction(part, 100)) for part in range(1, 100))
+    fastest = max(abs(float(v1 - v2)) for _, v1, _, v2 in states)
+    assert float(found.speed) / 8 < fastest <= float(found.speed)

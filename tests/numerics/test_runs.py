@@ -6,11 +6,23 @@ import json
 
 import numpy as np
 import pytest
+from flint import arb
 from matplotlib import pyplot as plt
 from PIL import Image
+from scene_files import scenes_in
 from three_scenes import HOW, PAPER
 
-from numerics import PlanePair, PlaneScene, load_scene, scene_text, sensitivities, solve
+from numerics import (
+    Pair,
+    PlanePair,
+    PlaneScene,
+    Scene,
+    State,
+    load_scene,
+    scene_text,
+    sensitivities,
+    solve,
+)
 from numerics.linear.modes import EventKind
 from numerics.scene.file import parse_scene, shipped_scenes
 from numerics.trajectory.columns import STATE
@@ -56,8 +68,6 @@ def test_times_asked_for_may_be_any_numbers_in_arrays_of_any_shape(solved):
     assert [*map(str, run.sol(times)[:, 1, 2])] == [*map(str, run.sol(times[1, 2]))]
     assert [*run.mode_at(run.event_times, "left")] == [event.before for event in run.events]
     assert [*run.mode_at(run.event_times)] == [*map(run.mode_at, run.event_times)] == [one.after for one in run.events]
-    with pytest.raises(ValueError, match="is outside the solved time"):
-        run.sol(end + 1e-5)
     if rows == 4:
         assert sensitivities(solved, times[:, :2]).shape == (4, 9, 2, 2)
 
@@ -112,3 +122,44 @@ def test_arrays_and_tuples_are_read_as_lists():
     pair = PlanePair(m1=np.array([1.0, 0.1]), m2=(1, 1), a2=np.diag([200, 120]), b="0.5")
     assert pair == PlanePair(m1=[1, "0.1"], m2=1, a2=[200, 120], b=["0.5", "0.5"])
     assert PlaneScene(pair, 1, x1=np.zeros(2)) == PlaneScene(pair, 1)
+
+
+# balls of times, long sticks, progress
+
+
+@pytest.mark.parametrize("name", ["forced-friction-by-pieces", "velocities"])
+def test_what_is_said_of_a_ball_of_times_holds_what_is_said_of_each(name):
+    run = solve(load_scene(name), digits=20, arithmetic="ball")
+    with run.arithmetic.context():
+        for t in run.event_times:
+            for middle in (-0.003, 0, 0.003):
+                wide = run.sol(t + middle + arb(0, 0.01))
+                for by in (-0.006, 0.006):
+                    assert all(one.contains(two) for one, two in zip(wide, run.sol(t.mid() + by), strict=True))
+
+
+@pytest.mark.parametrize("scene", [load_scene("forced-sine-stick-slip"), scenes_in("followed-in-balls")["weakened"]])
+def test_what_is_lost_over_a_ball_of_times_holds_what_is_lost_up_to_each(scene):
+    run = solve(scene, digits=20, arithmetic="ball")
+    with run.context():
+        for row, length in enumerate(run.row_lengths[:3]):
+            wide, *inside = run.row_taken(
+                [row] * 4, [length / 2 + arb(0, 1) * length / 4, *(length * k / 10 for k in (3, 5, 7))]
+            ).T
+            assert all(one.contains(two) for taken in inside for one, two in zip(wide, taken, strict=True))
+
+
+def test_a_stick_of_thousands_of_turns_keeps_its_ledger():
+    run = solve(Scene(Pair(1, 1, 200, "0.5", "1"), State(x1="0.004"), "2999.9"), digits=20, arithmetic="ball")
+    with run.context():
+        residual, lost = run.ledger.residual, run.dissipated
+        assert residual.contains(0)
+        assert residual.rad() < lost * 1e-18
+        assert all(one.rad() < 1e-35 for one in run.sol(2999))
+
+
+def test_progress_is_told():
+    told, scene = [], Scene(Pair(1, 1, 200, "0.0005"), State(v1="0.15"), until=500)
+    solve(scene, progress=lambda n, part: told.append((n, part)))
+    assert told
+    assert np.all(np.diff(told, axis=0) > 0)

@@ -39,22 +39,8 @@ def test_toml_spellings_of_a_number(text):
     assert parse_scene(VALID.replace("m1 = 1", f"m1 = {text}")).pair.m1 > 0
 
 
-BAD_VALUES = {
-    "bool": "true",
-    "nan": "nan",
-    "inf": "inf",
-    "text": '"abc"',
-    "expression": '"1/0"',
-    "hexadecimal text": '"0x10"',
-    "text with a line": '"1\\n2"',
-    "date": "1979-05-27",
-    "array": "[1]",
-    "table": "{}",
-    "zero": "0",
-    "negative": "-1",
-    "huge exponent": "1e999999999999",
-    "exponent beyond": "1e1001",
-    "tiny": "1e-1001",
+REFUSED = tomllib.loads((Path(__file__).parents[1] / "refused.toml").read_text("utf-8"))
+BAD_VALUES = REFUSED["values"] | {
     "5000 digits": "1" * 5000,
     "4000 decimals": "0." + "1" * 4000,
     "huge hexadecimal": HUGE,
@@ -96,7 +82,6 @@ BAD_TEXTS = {
     "brackets without end": f"{VALID}[[force]]\npolynomial = {'[' * 3000}{']' * 3000}",
     "too many pieces": VALID + "".join(f"[[force]]\nfrom = {k}\n" for k in range(100_001)),
 }
-REFUSED = tomllib.loads((Path(__file__).parents[1] / "refused.toml").read_text("utf-8"))
 
 
 def with_pair(text):
@@ -111,6 +96,11 @@ BAD_TEXTS |= {name: with_pair(text) for name, text in REFUSED["refused"].items()
 @pytest.mark.parametrize("kind", BAD_TEXTS)
 def test_bad_files_are_refused_in_one_line(kind):
     require_refusal(BAD_TEXTS[kind])
+
+
+@pytest.mark.parametrize("text", REFUSED["proved"])
+def test_friction_that_comes_down_to_0_and_no_further_is_proved(text):
+    assert parse_scene(with_pair(text)).is_forced
 
 
 @pytest.mark.parametrize("said", REFUSED["said"])

@@ -1,6 +1,8 @@
-"""Sensitivities against differences of solves in balls, against other arithmetics, and what is exact of them."""
+"""Sensitivities against differences of solves in balls and other arithmetics; what is exact of them; as commands."""
 
 import tomllib
+from dataclasses import replace
+from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 
@@ -13,31 +15,30 @@ from hypothesis import example, given
 from reaching import LeftOut, reaching
 from scene_files import scenes_in
 from strategies import driven_scenes, fewer, scenes
+from three_scenes import PAPER
 
 from numerics import (
-    EventUndecided,
     Force,
     Friction,
     NotDifferentiable,
     NumericsError,
     Pair,
-    Piece,
     Scene,
-    Sine,
     State,
     load_scene,
     sensitivities,
     solve,
 )
+from numerics.arithmetic.ball import Ball
+from numerics.scene.model import WRT
 from numerics.trajectory import sensitivity, variation
 from numerics.trajectory.run import free_scene
-from numerics.trajectory.trajectory import Trajectory
 
 CATALOGUE = Path(__file__).parents[1] / "forced" / "scenes"
-PAPER, PAIR = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.05")
+PAIR = Pair(1, 1, 200, "0.05")
 FREE, WEAKENED, SIGNALS = map(scenes_in, ("differentiated", "followed-in-balls", "signals"))
 GIVEN = tomllib.loads((CATALOGUE.parent / "derivatives.toml").read_text("utf-8"))
-FORCED, CORNERS, TIES, LEFT_OUT = (GIVEN[one] for one in ("compared", "corners", "ties", "left_out"))
+FORCED, CORNERS, TIES = (GIVEN[one] for one in ("compared", "corners", "ties"))
 
 
 def named(name):
@@ -82,28 +83,15 @@ def test_differences_of_random_solves(scene):
     assert found.size < (1e-20 if found.events_compared else 1e-3), found
 
 
-def test_a_trajectory_that_has_lost_its_last_events_has_no_derivatives():
-    run = solve(Scene(PAIR, State(v1="0.15"), 1))
-    cut = solve(Scene(PAIR, State(v1="0.15"), Fraction((run.events[1].t + run.events[2].t) / 2)))
-    with pytest.raises(EventUndecided, match="events"):
-        sensitivities(Trajectory(run.scene, run.arithmetic, cut.record))
-
-
-TOGETHER = Scene(PAIR, State(), 2, force=Force.step(1, "0.2"), friction=Friction([(1, "0.5")]))
-"""Of these jumps the first alone breaks a stick; together they are no event."""
-LATE = Scene(Pair(1, 1, 1, 1), State(0, 2, 0, 0), 1, force=Force([Piece(0, (0, 2, "-0.5"))]))
-REFUSED = {TOGETHER: "which of them comes first", LATE: "on the horizon"}
-
-
-@pytest.mark.parametrize(("scene", "said"), [*((named(one), CORNERS[one]) for one in CORNERS), *REFUSED.items()])
+@pytest.mark.parametrize("name", CORNERS)
 @pytest.mark.parametrize("arithmetic", ["float64", "ball"])
-def test_a_corner_is_refused_in_one_line(scene, said, arithmetic):
+def test_a_corner_is_refused_in_one_line(name, arithmetic):
     try:
-        trajectory = solve(scene, arithmetic=arithmetic)
+        trajectory = solve(named(name), arithmetic=arithmetic)
     except NumericsError:
         assert arithmetic != "ball"  # next to a tie numbers without bounds do not decide
         return
-    with pytest.raises(NotDifferentiable, match=said) as refused:
+    with pytest.raises(NotDifferentiable, match=CORNERS[name]) as refused:
         sensitivities(trajectory)
     assert str(refused.value).isprintable()
 
@@ -126,18 +114,6 @@ def test_derivatives_have_the_digits_that_are_asked_for():
     """Of a run with fewer they are those of another one."""
     final = sensitivities(in_balls(named("damping-heavy"), 15).but(digits=60)).final.ravel()
     assert max(one.rad() for one in final) < arb("1e-58") * max(abs(one) for one in final)
-
-
-def test_the_numbers_of_every_signal_have_names():
-    force = Force([Piece(0, (1, 2), [Sine(1, 3)]), Piece(2, (), [Sine("0.1", 3)])])
-    found = sensitivities(solve(Scene(PAIR, State(), 3, force=force, friction=Friction([(1, "0.08")]))))
-    assert found.wrt == (
-        *("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1", "until"),
-        *("force[0].from", "force[0].polynomial[0]", "force[0].polynomial[1]"),
-        *(f"force[0].sines[0].{one}" for one in ("amplitude", "omega", "phase")),
-        *("force[1].from", *(f"force[1].sines[0].{one}" for one in ("amplitude", "omega", "phase"))),
-        *("friction[0].from", "friction[0].b"),
-    )
 
 
 def test_pieces_of_one_length_share_their_exponentials(monkeypatch):
@@ -262,3 +238,40 @@ def test_by_a_b_that_is_0_there_is_no_derivative(m2):
     assert "b" not in sensitivities(run).wrt
     with pytest.raises(ValueError, match="'b', which is 0: by that there is no derivative"):
         sensitivities(run, wrt=["b"])
+
+
+# as the command line tells them: digits that are right, an archive, a table
+
+
+@pytest.mark.parametrize("arithmetic", ["ball", "mpmath", "float64"])
+def test_json_carries_them(arithmetic, scene_file, record):
+    found = record("solve", scene_file, "--sensitivity", "--arithmetic", arithmetic)
+    truth = sensitivities(solve(replace(PAPER, until=2), digits=60, arithmetic="ball"))
+    for event, t, y in zip(found["events"], truth.t, truth.y, strict=True):
+        assert set(event["sensitivity"]) == {"t", "x1", "v1", "x2", "v2"}
+        for row, true in zip(event["sensitivity"].values(), (t, *y), strict=True):
+            check_row(row, true, arithmetic)
+    for row, true in zip(found["final"]["sensitivity"].values(), (*truth.final, truth.energy), strict=True):
+        check_row(row, true, arithmetic)
+
+
+def check_row(row, true, arithmetic):
+    with Ball(70).context():
+        for name, value in zip(WRT, true, strict=True):
+            exact, exponent = row[name] in {"0", "1"}, Decimal(row[name]).as_tuple().exponent
+            place = row[f"{name}_radius"] if arithmetic == "ball" else "0" if exact else f"1e{exponent}"
+            assert arb(row[name], arb(place)).overlaps(value), (name, row[name])
+            assert arb(place) <= arb("1e-10") * (1 + abs(value))
+
+
+def test_the_archive_and_the_table_carry_them(scene_file, tmp_path, output):
+    path = tmp_path / "out.npz"
+    output("solve", scene_file, "--npz", path, "--sensitivity", "--digits", 20)
+    found = sensitivities(solve(replace(PAPER, until=2)))
+    with np.load(path) as archive:
+        assert tuple(archive["sensitivity_wrt"]) == WRT
+        for name in ("t", "y", "final", "energy"):
+            assert np.allclose(archive[f"sensitivity_{name}"], getattr(found, name), rtol=1e-9, atol=1e-12)
+    lines = output("solve", scene_file, "--sensitivity").splitlines()
+    last = next(line for line in lines if line.startswith("by b ")).split()
+    assert float(last[2]) == pytest.approx(found.t[-1, WRT.index("b")], rel=1e-5)

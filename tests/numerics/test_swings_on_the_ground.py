@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import example, given
 from inclusion import motion
+from scene_files import scenes_in
 from strategies import starts_by_the_edge
 
 from numerics import Force, Pair, Scene, State, solve
@@ -13,7 +14,7 @@ from numerics.linear.modes import Mode
 from numerics.trajectory.status import Status
 
 M1, A2, B = Fraction(2), Fraction(50), Fraction(4)
-OMEGA, EDGE, NOTHING = 5.0, B / A2, Force()
+OMEGA, EDGE = 5.0, B / A2
 
 
 def on_the_ground(start, **more):
@@ -50,30 +51,7 @@ def test_static_friction_holds_what_comes_to_rest_exactly_at_its_limit():
     assert run.status is Status.STUCK_FOR_EVER
 
 
-def riding(speed, b=B, **start):
-    return Scene(Pair(m1=M1, m2="inf", a2=A2, b=b), State(**start), until=10, belt=Force.step(0, speed))
-
-
-def pulled(**start):
-    return Scene(Pair(m1=M1, m2="inf", a2=A2, b=B), State(**start), until=10, wall=Force.ramp(0, 10, 3))
-
-
-def loaded(wall=NOTHING, **start):
-    return Scene(Pair(m1=M1, m2="inf", a2=A2, b=B), State(**start), until=10, force=Force.ramp(0, 10, 150), wall=wall)
-
-
-LOADED = [loaded(), loaded(x1="0.01"), loaded(Force.ramp(0, 10, 2)), loaded(Force.constant("0.07"))]
-CYCLES = [
-    *LOADED,
-    riding("0.3"),
-    riding("0.3", x1="0.01", v1="0.3"),
-    riding("0.3", v1="0.3"),
-    pulled(),
-    pulled(x1="0.01"),
-]
-
-
-@pytest.mark.parametrize("scene", CYCLES)
+@pytest.mark.parametrize("scene", scenes_in("cycles").values())
 def test_a_cycle_that_only_touches_the_speed_of_the_belt_goes_on(scene):
     """After its exit it is a circle of the belt's speed about the edge, without another event.
 
@@ -87,12 +65,14 @@ def test_a_cycle_that_only_touches_the_speed_of_the_belt_goes_on(scene):
 
 def test_a_force_that_grows_as_the_wall_draws_back_lets_the_body_rest():
     """It starts at the edge, and the load stays as it is."""
-    run = solve(loaded(-1 * Force.ramp(0, 10, 3), x1=-EDGE), digits=20)
+    force, wall = Force.ramp(0, 10, 150), Force.ramp(0, 10, -3)
+    scene = Scene(Pair(m1=M1, m2="inf", a2=A2, b=B), State(x1=-EDGE), until=10, force=force, wall=wall)
+    run = solve(scene, digits=20)
     assert (run.events, run.final_mode) == ((), Mode.STICK)
 
 
 @pytest.mark.parametrize(("speed", "then"), [("0.32", []), ("0.321", []), ("1", []), ("0.3199", ["stick", "slip-"])])
 def test_a_swing_that_just_reaches_the_speed_of_the_belt_or_does_not_goes_on(speed, then):
     """From rest it swings about the edge b/a2, at most at omega b/a2 = 0.32 m/s: a slower belt catches it."""
-    run = motion(riding(speed, "3.2"))
+    run = motion(Scene(Pair(m1=M1, m2="inf", a2=A2, b="3.2"), State(), until=10, belt=Force.step(0, speed)))
     assert (run.success, [one.after for one in run.events]) == (True, then)

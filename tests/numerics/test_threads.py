@@ -1,8 +1,9 @@
-"""Threads share the precision of flint and of mpmath: each computes what it computes alone, and the precision stays."""
+"""Threads and processes: each computes what it computes alone, the precision stays, and one compiles for all."""
 
 import json
 import os
 import signal
+import subprocess
 import sys
 import threading
 
@@ -14,9 +15,13 @@ from flint import arb
 from three_scenes import DAMPED, PAPER
 
 from numerics import load_scene, response, sensitivities, solve
+from numerics.arithmetic import compiled as compiling
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.precision import cached_property, is_held, precision
+from numerics.errors import MissingTool
 from numerics.solver.rows import in_chunks
+from numerics.tasks import run_tasks
 from numerics.trajectory.saved import plain
 
 SINE, ROUND = load_scene("forced-sine-stick-slip"), load_scene("plane-circle-merges")
@@ -156,3 +161,68 @@ def test_an_interrupt_that_meets_the_end_of_an_inner_precision_leaves_nothing_be
     with pytest.raises(KeyboardInterrupt):
         interrupted()
     assert (flint.ctx.prec, is_held()) == (53, False)
+
+
+# work in several processes
+
+
+def test_several_processes_find_what_one_finds():
+    pytest.importorskip("joblib")
+    tasks = [(number, 40) for number in range(8)]
+    assert sorted(run_tasks(divmod_of, tasks, jobs=2)) == [*run_tasks(divmod_of, tasks)]
+
+
+def divmod_of(task):
+    return task[0], divmod(*task)
+
+
+def test_a_missing_package_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "joblib", None)
+    with pytest.raises(MissingTool, match="joblib"):
+        list(run_tasks(divmod_of, [(0, 1), (1, 1)], jobs=2))
+
+
+# who compiles when, and says so
+
+
+needs_numba = pytest.mark.skipif(not can_compile(), reason="numba is not installed")
+
+
+def test_one_process_compiles_while_the_others_wait(tmp_path):
+    pytest.importorskip("fcntl")
+    second_is_in = threading.Event()
+
+    def wait_for_it():
+        with compiling._alone(tmp_path / "one.lock"):  # opens the file anew, as another process does
+            second_is_in.set()
+
+    second = threading.Thread(target=wait_for_it)
+    with compiling._alone(tmp_path / "one.lock"):
+        second.start()
+        assert not second_is_in.wait(0.2)
+    second.join()
+    assert second_is_in.is_set()
+
+
+COMPILES = """
+from numerics.arithmetic.compiled import compiled
+from numerics.linear.table import places_of
+import numpy as np
+for _ in range(2):
+    compiled(places_of)(np.zeros((2, 2)))
+"""
+
+
+@needs_numba
+def test_compiling_is_said_once_and_kept_where_it_can_be(tmp_path):
+    """A folder that cannot be written does not keep anyone from compiling; each time it is said."""
+    (tmp_path / "file").write_text("")
+
+    def said(cache):
+        environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path / cache)}
+        done = subprocess.run(
+            [sys.executable, "-c", COMPILES], capture_output=True, text=True, check=True, env=environment
+        )
+        return done.stderr.count("numba compiles the solver")
+
+    assert [said("new"), said("new"), said("file"), said("file")] == [1, 0, 1, 1]

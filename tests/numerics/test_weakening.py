@@ -1,8 +1,7 @@
-"""Friction that depends on the state: whether it is the motion, across digits, at ties, and what is refused."""
+"""Friction that depends on the state: whether it is the motion, across digits, and at ties."""
 
 from dataclasses import replace
 
-import matplotlib as mpl
 import numpy as np
 import pytest
 from hypothesis import given
@@ -13,9 +12,7 @@ from strategies import weakened_scenes
 
 from numerics import (
     EventUndecided,
-    Force,
     Friction,
-    InvalidScene,
     OutOfRange,
     Pair,
     Scene,
@@ -26,40 +23,11 @@ from numerics import (
 from numerics.linear.enclosed import EnclosedRun
 from numerics.trajectory.curve import sampled
 
-mpl.use("Agg")
-
-PAIR = Pair(1, 1, 200, "0.5")
-FALLING = Weakening([("0.05", "0.3")], "0.4")
-BY_PLACE = Weakening([("0.05", "0.3")], "0.4", [("-0.02", "-0.1"), (0, 0), ("0.02", "0.1")])
-
-
-def weakened(weakening: Weakening, until: object = 2, force: Force | None = None, **at: object) -> Scene:
-    """The pair of these tests with a friction of the state."""
-    return Scene(PAIR, State(**at), until, force=force or Force(), friction=Friction((), weakening))
-
-
 SCENES, BALLS = scenes_in("weakened"), scenes_in("followed-in-balls")
-BISTABLE, JUMPING = SCENES["bistable"], SCENES["jumping"]
+ON_A_KNOT = [*scenes_in("on-a-knot").values(), scenes_in("belts")["at-an-irrational-speed"]]
 
 
-ON_A_KNOT = {
-    "of speed, above it": weakened(FALLING, v1="0.05"),
-    "of speed, below it": weakened(FALLING, x1="-0.1", v1="0.05"),
-    "of speed and of the load": weakened(FALLING, x1="-0.01", v1="0.05"),
-    "of place": weakened(BY_PLACE, x1="0.02", v1="0.3"),
-    "of place, of body 2": weakened(BY_PLACE, v2="0.3"),
-    "of place, in a stick": weakened(BY_PLACE, 3, Force.sine(2, 5), x2="0.02", x1="0.02"),
-    "of neither, but at no rational speed: |w| = 0.3 - 0.2 sin 1": Scene(
-        Pair(1, "inf", 20, 3),
-        State("0.02", "0.3"),
-        until=2,
-        friction=Friction((), Weakening([("0.1", 2), (1, "2.2")], place=[("-0.1", "-0.2"), ("0.5", "0.4")])),
-        belt=Force.sine("0.2", 3, 1),
-    ),
-}
-
-
-@pytest.mark.parametrize("scene", [weakened(BY_PLACE, 1, v1="0.5"), *SCENES.values(), *ON_A_KNOT.values()])
+@pytest.mark.parametrize("scene", [*SCENES.values(), *ON_A_KNOT])
 def test_what_is_found_is_the_motion(scene: Scene):
     assert motion(scene).success
 
@@ -78,7 +46,7 @@ def test_a_table_that_says_nothing_changes_nothing(scene: Scene):
 
 
 def test_crossings_of_knots_are_no_events_and_everything_else_reads_the_run():
-    run = solve(JUMPING, digits=20)
+    run = solve(SCENES["jumping"], digits=20)
     assert (run.arithmetic.name, run.tried) == ("ball", "20 are asked for")
     assert len(run.record.rows) > len(run.events) + 1
     assert all(event.before is not event.after for event in run.events)
@@ -97,37 +65,11 @@ def test_a_knot_adds_to_the_errors_whether_friction_bends_up_or_down_behind_it(m
 
 
 def test_a_steep_fall_is_solved():
-    steep = solve(weakened(Weakening([("0.00002", "0.3")], "0.4"), v1="0.3"), arithmetic="ball", digits=24)
-    assert steep.success
+    steep = SCENES["jumping"].replace(friction=Friction((), Weakening([("0.00002", "0.3")], "0.4")))
+    assert solve(steep, arithmetic="ball", digits=24).success
 
 
-FAST, VANISHES = Weakening((), -1), Weakening((), 0, [("-0.01", "-0.6"), ("0.01", "0.2")])
-
-
-@pytest.mark.parametrize(
-    ("weakening", "at"),
-    [
-        (Weakening((), -3), {"v1": "0.3"}),
-        (FAST, {"x1": "0.06", "x2": "0.06"}),
-        (VANISHES, {"v1": "0.3"}),
-        (VANISHES, {"x2": "0.05"}),
-    ],
-)
-def test_what_runs_to_no_friction_is_refused(weakening, at):
-    with pytest.raises(InvalidScene, match=r"B \+ C <= 0 at .w. = .* z = x1 - x2"):
-        solve(weakened(weakening, **at), arithmetic="ball")
-
-
-STARTS = [(FAST, "-0.1", "0.05", 0), (VANISHES, "0.02", "-0.3", 0), (VANISHES, "0.001", 0, "0.001")]
-
-
-@pytest.mark.parametrize(("weakening", "x1", "v1", "x2"), STARTS)
-def test_where_friction_may_vanish_float64_says_so(weakening, x1, v1, x2):
-    with pytest.raises((EventUndecided, OutOfRange)):
-        solve(weakened(weakening, x1=x1, v1=v1, x2=x2), arithmetic="float64")
-
-
-@pytest.mark.parametrize("scene", [*SCENES.values(), *BALLS.values(), *ON_A_KNOT.values()])
+@pytest.mark.parametrize("scene", [*SCENES.values(), *BALLS.values(), *ON_A_KNOT])
 def test_float64_follows_them_as_balls_do(scene):
     run = solve(scene)
     assert (run.arithmetic.name, run.tried) == ("float64", "")

@@ -5,9 +5,10 @@ from fractions import Fraction
 import pytest
 from hypothesis import example, given
 from plane_paths import agree
+from scene_files import scenes_in
 from strategies import fewer, plane_scenes
 
-from numerics import Force, Piece, solve
+from numerics import Force, solve
 from numerics.arithmetic.ball import Ball
 from numerics.errors import NumericsError
 from numerics.plane.solve import followed
@@ -42,45 +43,27 @@ def test_mirrored_axes_have_their_events_together():
     assert x.overlaps(-y)
 
 
-def uneven(v2, *forces):
-    """Body 1 rests, m2 v2' = -b: slips of v2 = (1, 1.5) m/s end at 1 s."""
-    return PlaneScene(PlanePair([1, 1], [1, 2], [1, 2], [1, 3], shape="box"), 3, v2=v2, force=forces)
+AT_ONCE = """
+a-jump-lets-go-of-both                      | 00 ++ 1/2 jump | 2 1.5
+a-jump-lets-go-of-both-at-no-binary-number  | 00 ++ 1/3 jump | 2 1.5
+a-jump-lets-go-of-both-which-are-coupled    | 00 ++ 1/3 jump | 2 1.5
+both-stop                                   | -- 00 1 guard  | -0.5 -2
+one-stops-a-little-later                    | -- 0- 1 guard  | -0.5 -2
+one-stops-and-a-jump-lets-go-of-the-other   | -0 0+ 1 jump   | -0.5 6
+a-jump-lets-go-of-one-and-the-other-stops   | 0- +0 1 jump   | 4.5 -2
+one-stops-where-there-is-a-jump-in-which-the-other-slips-on | -- 0- 1/3 guard | -0.5 -2 -0.5 3.33
+"""
+"""The modes before and after the first event, its time and its cause; its loads, of the last row before and behind."""
 
 
-def let_go(t, coupling):
-    pair = PlanePair(1, 1, [[200, coupling], [coupling, 200]], "0.5", shape="box")
-    return PlaneScene(pair, 1, force=[Force.step(t, 4), Force.step(t, 3)])
-
-
-PUSH, PULL, JUMP = Force([Piece(0, [-1])]), Force([Piece(0, [-3])]), Force([Piece(0, [-3]), Piece("1/3", [5])])
-AT_ONCE = {
-    "a jump lets go of both": (let_go("0.5", 0), "00 ++ 1/2 jump", "2 1.5"),
-    "a jump lets go of both, at no binary number": (let_go("1/3", 0), "00 ++ 1/3 jump", "2 1.5"),
-    "a jump lets go of both, which are coupled": (let_go("1/3", 1), "00 ++ 1/3 jump", "2 1.5"),
-    "both stop": (uneven([1, "1.5"], PUSH, PULL), "-- 00 1 guard", "-0.5 -2"),
-    "one stops a little later": (uneven([1, "1.500000000001"], PUSH, PULL), "-- 0- 1 guard", "-0.5 -2"),
-    "one stops, and a jump lets go of the other": (uneven([1, 0], PUSH, Force.step(1, 9)), "-0 0+ 1 jump", "-0.5 6"),
-    "a jump lets go of one, and the other stops": (
-        uneven([0, "1.5"], Force.step(1, 9), PULL),
-        "0- +0 1 jump",
-        "4.5 -2",
-    ),
-    "one stops where there is a jump in which the other slips on": (
-        uneven(["1/3", 9], PUSH, JUMP),
-        "-- 0- 1/3 guard",
-        "-0.5 -2 -0.5 3.33",  # its load is that before and that behind
-    ),
-}
-
-
-@pytest.mark.parametrize("name", AT_ONCE)
-def test_what_happens_at_one_time_that_is_known_exactly_is_one_event(name):
-    scene, said, loads = AT_ONCE[name]
-    found = solve(scene, digits=20)
-    first, (before, after, t, cause) = found.events[0], said.split()
+@pytest.mark.parametrize("row", AT_ONCE.strip().splitlines())
+def test_what_happens_at_one_time_that_is_known_exactly_is_one_event(row):
+    (name,), (before, after, t, cause), loads = map(str.split, row.split("|"))
+    found = solve(scenes_in("at-once")[name], digits=20)
+    first = found.events[0]
     assert (*found.modes[:2], first.cause) == (before, after, cause)
     assert first.t.overlaps(Ball.number(Fraction(t)))
-    assert all(first.load[k % 2].contains(float(load)) for k, load in enumerate(loads.split()))
+    assert all(first.load[k % 2].contains(float(load)) for k, load in enumerate(loads))
 
 
 @pytest.mark.parametrize(("v", "modes"), [("0.1", ["-0", "00"]), ("-0.1", ["00", "+0"])])

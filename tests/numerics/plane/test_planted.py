@@ -9,6 +9,7 @@ from flint import arb, arb_poly
 from hypothesis import example, given
 from hypothesis import strategies as st
 from plane_paths import agree, path_of, said
+from scene_files import scenes_in
 from strategies import fewer
 
 from numerics import Force, NotSettled, Piece
@@ -18,11 +19,7 @@ from numerics.plane.polynomial import first_root
 from numerics.plane.series import expand
 from numerics.scene.plane import PlanePair, PlaneScene
 
-NUMBERS = ([1, 2], ["0.5", 1], [[200, 60], [60, 120]], ["0.5", "0.1"], [["0.3", "0.1"], ["0.1", "0.2"]])
-START = {"x1": ["0.012", "-0.007"], "v1": ["0.1", "0.05"], "force": [Force.sine(1, 9), Force.sine("0.5", 7, 1)]}
-BOX = PlaneScene(PlanePair(*NUMBERS, shape="box"), "0.9", **START)
-ELLIPSE = PlaneScene(PlanePair(*NUMBERS), "0.5", **START)
-ROUND = PlaneScene(PlanePair(1, 1, 200, "0.5"), "0.5", x1=["0.012", "0.002"], v1=[0, "0.06"], v2=[0, "0.05"])
+BOX, ELLIPSE, ROUND = (scenes_in("surfaces")[name] for name in ("box", "ellipse", "round"))
 
 
 def moved(scene, name, axis, by):
