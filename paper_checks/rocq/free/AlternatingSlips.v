@@ -22,20 +22,17 @@ Theorem alternation m1 m2 a2 b x v1 v2 s k t0 d p pc : 0 < m1 -> 0 < m2 -> 0 < a
   exists p', 0 < p' < PI /\ 0 < d' /\ at_gap m1 m2 a2 b (- k) d' (push d' p') x v1 v2 t1 /\
     (pc <= p -> p' <= PI - pc) /\ (p <= PI - pc -> pc <= p').
 Proof.
-  intros H1 H2 Ha Hb q Hpc Dc HK Hk H Ht Hd Hp HG HD t1 d'. assert (Q : 0 < q) by positive.
+  intros H1 H2 Ha Hb q Hpc Dc HK Hk H Ht Hd Hp HG HD t1 d'.
   destruct (crossing m1 m2 a2 b H1 H2 Ha Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG HD)
     as (D0 & _ & G & _ & p' & Hp' & E & _). rewrite <- E in G. exists p'. repeat (split; [auto; fail|]).
   assert (HP : 0 <= Pf pc) by (apply P_sign; auto). split; intros I.
   - exact (long_to_short q pc Hpc Dc d p p' HP Hd (conj I (proj2 Hp)) Hp' E).
-  - exact (short_to_long q pc Q Hpc Dc d p p' HP (conj (proj1 Hp) I) (Rlt_le _ _ HD) Hp' E).
+  - exact (short_to_long q pc Hpc Dc d p p' HP (conj (proj1 Hp) I) (Rlt_le _ _ HD) Hp' E).
 Qed.
 
 (** from a ray only a long slip crosses *)
 Lemma crosses_long q p pc : 0 < pc < PI -> depth pc = 2 / q -> 0 < p < PI -> (2 / q < depth p <-> pc < p).
-Proof.
-  intros Hpc Dc Hp. pose proof (depth_incr p pc). pose proof (depth_incr pc p).
-  destruct (Rtotal_order p pc) as [L|[->|L]]; split; lra.
-Qed.
+Proof. intros Hpc <- Hp. apply (rising_iff PI depth pc p depth_incr Hpc Hp). Qed.
 
 (** pc exists, between pi/2 and pi *)
 Lemma pc_ex q : 0 < q < 1 -> exists pc, PI / 2 < pc < PI /\ depth pc = 2 / q.

@@ -4,12 +4,8 @@ From InertialPair Require Import Dini Pair Stick Excursion FollowArc.
 
 Section Cycle.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let M := m1 + m2.
-Let q := m1 / M.
-Let r := m2 / M.
-Let om := omega m1 m2 a2.
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
+Context (M := m1 + m2) (q := m1 / M) (r := m2 / M) (om := omega m1 m2 a2) (L := L m1 m2 a2 b)
+  (Ecr := Ecr m1 m2 a2 b).
 
 (** o1: frequency of the slip; ray u: speed on the exit ray in the reduced unit, so that E = E_cr (1 + q u^2) there *)
 Definition o1 := sqrt (a2 / m1).

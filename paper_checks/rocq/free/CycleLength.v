@@ -8,10 +8,7 @@ Definition delay r p := let s := (depth p / hh p) ^ 2 in let q := 1 - r in
 
 Section HalfTurn.
 Context (r p : R) (Hr : 0 < r < 1) (Hp : 0 < p <= PI / 4).
-Let q := 1 - r.
-Let a := sqrt q.
-Let u := hh p.
-Let c := depth p.
+Context (q := 1 - r) (a := sqrt q) (u := hh p) (c := depth p).
 (** place and momentum of the pair in a slip, by its angle, and what the slip has cost *)
 Let x t := r + q * (cos t + u * sin t).
 Let m t := a * (q * (u * cos t - sin t) + r * (u - t)).

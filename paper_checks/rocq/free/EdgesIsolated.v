@@ -13,8 +13,7 @@ Lemma cont_F f g : cont f -> cont g -> cont (F f g).
 Proof. intros. apply cont_scal, cont_plus; apply cont_scal; auto. Qed.
 Lemma rate_F f g f' g' r : rderiv f r (f' r) -> rderiv g r (g' r) -> rderiv (F f g) r (F f' g' r).
 Proof. intros. apply rderiv_scal, rderiv_plus; apply rderiv_scal; auto. Qed.
-Let A := F x v1.
-Let J := F v1 A.
+Context (A := F x v1) (J := F v1 A).
 
 (** in a stick from p to q *)
 Lemma edge_once p q t k : 0 <= p -> (forall r, p < r < q -> v1 r = v2 r) -> p <= t <= q -> k = 1 \/ k = -1 ->

@@ -37,15 +37,12 @@ Section Step.
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 a1 a2 b x v1 v2 s).
 Variables X V1 V2 g C C' : R.
 Hypotheses (Hg : -1 <= g <= 1) (Hp : V2 < V1 -> g = 1) (Hn : V1 < V2 -> g = -1) (HC : 0 <= C) (HC' : 0 <= C').
-Let A1 := pull X V1 g.
-Let A2 := b * g / m2.
+Context (A1 := pull X V1 g) (A2 := b * g / m2).
 Hypotheses (Speed : a2 * V1 ^ 2 + m1 * A1 ^ 2 + m2 * A2 ^ 2 <= C ^ 2)
   (Lip : forall r t, 0 <= r <= t -> a2 * (x t - x r) ^ 2 + m1 * (v1 t - v1 r) ^ 2 + m2 * (v2 t - v2 r) ^ 2 <=
     (C' * (t - r)) ^ 2).
-Let dx t := X + t * V1 - x t.
-Let d1 t := V1 + t * A1 - v1 t.
-Let d2 t := V2 + t * A2 - v2 t.
-Let D t := energy m1 m2 a2 (dx t) (d1 t) (d2 t).
+Context (dx := fun t => X + t * V1 - x t) (d1 := fun t => V1 + t * A1 - v1 t)
+  (d2 := fun t => V2 + t * A2 - v2 t) (D := fun t => energy m1 m2 a2 (dx t) (d1 t) (d2 t)).
 
 (** the distance from the motion along the chord grows at the rate t C (C + C') at most *)
 Lemma step_dini t : 0 <= t -> dini_le D t (t * (C * (C + C'))).

@@ -110,9 +110,7 @@ Qed.
 (** *** And the other way round *)
 Section Motion.
 Context (u U x v1 v2 s : R -> R) (HU : integral_of u U) (H : forced m1 m2 a1 a2 b U x v1 v2 s).
-Let w t := v1 t - v2 t.
-Let kap := (m1 + m2) / (m1 * m2).
-Let load := load m1 m2 a1 a2 u x v1.
+Context (w := fun t => v1 t - v2 t) (kap := (m1 + m2) / (m1 * m2)) (load := load m1 m2 a1 a2 u x v1).
 (** what the relative velocity would be without friction, of which the load gives the rate *)
 Let g t := w t + kap * b * s t.
 

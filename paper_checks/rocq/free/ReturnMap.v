@@ -16,9 +16,9 @@ Proof. intros Hp. apply Rdiv_lt_0_compat; [apply A_pos; auto|]. apply pow_lt, si
 (** as its square does *)
 Lemma hh_sq p q : 0 < p < PI -> 0 < q < PI -> (hh p ^ 2 < hh q ^ 2 <-> p < q).
 Proof.
-  intros Hp Hq. pose proof (hh_pos p Hp). pose proof (hh_pos q Hq). destruct (Rtotal_order p q) as [L|[->|L]]; [|lra|];
-    [pose proof (hh_incr p q (proj1 Hp) L (proj2 Hq))|pose proof (hh_incr q p (proj1 Hq) L (proj2 Hp))]; split; intros;
-    nra.
+  intros Hp Hq. pose proof (hh_pos p Hp). pose proof (hh_pos q Hq).
+  rewrite <- (proj2 (rising_iff PI hh p q hh_incr Hp Hq)).
+  split; intros; nra.
 Qed.
 Lemma depth_pos p : 0 < p < PI -> 0 < depth p.
 Proof. intros Hp. apply Rdiv_lt_0_compat; [pose proof (g_pos p Hp); lra|apply sin_gt_0; lra]. Qed.
@@ -56,16 +56,13 @@ Qed.
 (** sin p/p decreases strictly *)
 Lemma sinc_strict p q : 0 < p -> p < q -> q < PI -> sin q / q < sin p / p.
 Proof.
-  intros Hp Hpq Hq. assert (Q : (fun u => - (sin u / u)) p < (fun u => - (sin u / u)) q); [|simpl in Q; lra].
-  apply (incr_function (fun u => - (sin u / u)) 0 PI (fun u => (sin u - u * cos u) / u ^ 2)); try (simpl; lra).
-  - intros t T0 T1; simpl in T0, T1. auto_derive; [lra|]. field; lra.
-  - intros t T0 T1; simpl in T0, T1. apply Rdiv_lt_0_compat; [apply g_pos; lra|positive].
+  intros Hp Hpq Hq. apply Ropp_lt_cancel.
+  apply (climbs (fun u => - (sin u / u)) (fun u => (sin u - u * cos u) / u ^ 2)); [lra| |]; intros t Ht.
+  - auto_derive; [lra|]. field; lra.
+  - apply Rdiv_lt_0_compat; [apply g_pos; lra|positive].
 Qed.
-(** sin p/p decreases *)
 Lemma sinc_decr p q : 0 < p -> p <= q -> q < PI -> sin q / q <= sin p / p.
-Proof.
-  intros Hp Hpq Hq. destruct (Req_dec p q) as [->|N]; [lra|]. apply Rlt_le, sinc_strict; lra.
-Qed.
+Proof. intros Hp [L|<-] Hq; [apply Rlt_le, sinc_strict|]; lra. Qed.
 Lemma sinc_pos p : 0 < p < PI -> 0 < sin p / p.
 Proof. intros. apply Rdiv_lt_0_compat; [apply sin_gt_0|]; lra. Qed.
 
@@ -93,6 +90,11 @@ Proof.
   destruct n; [inversion Hn|]. rewrite Sum. simpl pred. field. apply not_0_INR; discriminate.
 Qed.
 
+(** and so far apart as they are long *)
+Lemma steps_between (u : nat -> R) lo hi : (forall n, lo <= u (S n) - u n <= hi) ->
+  forall n, INR n * lo <= u n - u O <= INR n * hi.
+Proof. intros D n. induction n as [|n IH]; [simpl; lra|]. rewrite S_INR. specialize (D n). lra. Qed.
+
 (** what is closer to l than what tends to 0 *)
 Lemma lim_within (u f : nat -> R) (l : R) : (forall n, Rabs (u n - l) <= f n) -> is_lim_seq f 0 -> is_lim_seq u l.
 Proof.
@@ -106,8 +108,7 @@ Context (r : R) (Hr : 0 < r).
 Context (phi : nat -> R) (Hphi : forall n, 0 < phi n < PI).
 Let y n := hh (phi n) ^ 2.
 Hypothesis step : forall n, y (S n) = y n - r * depth (phi n) ^ 2.
-Let kappa := 9 / 4 * r.
-Let si n := sin (phi n) / phi n.
+Context (kappa := 9 / 4 * r) (si := fun n => sin (phi n) / phi n).
 
 Lemma y_pos n : 0 < y n. Proof. apply pow_lt, hh_pos; auto. Qed.
 (** each excursion loses at most kappa y^2 *)

@@ -89,9 +89,8 @@ Proof.
     apply (derive_near (fun r => v t + c t * (r - t)) v t d); auto; [intros; symmetry; apply K; auto|].
     auto_derive; auto. ring. }
   set (x := fun t => x0 + integral v t). set (u := fun t => (m1 + m2) * c t + a1 * v t + a2 * x t).
-  assert (Cx : cont x) by (apply cont_plus; [apply cont_const|apply integral_cont; auto]).
-  assert (Rx : forall t, 0 <= t -> rderiv x t (v t)).
-  { intros t Ht'. apply rderiv_eq with (0 + v t); [ring|]. apply rderiv_plus; [apply rderiv_const|apply integral_rderiv; auto]. }
+  assert (Cx : cont x) by continuous. assert (Rx : forall t, 0 <= t -> rderiv x t (v t)) by (intros t Ht';
+    rate; ring).
   set (U := fun t => (m1 + m2) * v t + (a1 * x t + a2 * integral x t)). exists u, U, x, v, y. split; [split|].
   { apply ac_plus; [apply ac_scal; auto|]. apply ac_plus; apply ac_scal; [exact (ac_of_rderiv x v Cx Cv Rx)|].
     apply (ac_of_rderiv (integral x) x); auto using integral_cont. intros t Ht'. apply integral_rderiv; auto. }
@@ -114,13 +113,7 @@ Proof.
   { intros t. apply rderiv_eq with (0 + A * (bang 1 1 tau t - 0)); [unfold v; ring|]. apply rderiv_plus;
       [apply rderiv_const|]. apply rderiv_scal, rderiv_minus; [apply rderiv_run|apply rderiv_const]. }
   split.
-  { assert (Cz : forall z, cont (fun t => (t - z) * Rabs (t - z))).
-    { intros z. assert (Cl : cont (fun t => t - z)); [|apply cont_mult, cont_abs; auto]. apply (lip_cont _ 1); [lra|].
-      intros r t Hr. rewrite Rabs_pos_eq; lra. }
-    apply cont_plus; [apply cont_const|]. apply cont_scal, cont_minus; [|apply cont_const].
-    apply cont_ext with (fun t => / 4 * ((t - 2 * tau) * Rabs (t - 2 * tau) + (t - 0) * Rabs (t - 0) - 2 * ((t - tau) *
-      Rabs (t - tau)))); [intros; unfold run; field|].
-    apply cont_scal, cont_minus; [apply cont_plus|apply cont_scal]; auto. }
+  { unfold y, run. continuous. }
   split; [intros; apply Ry|]. split; [unfold x; rewrite integral_0; ring|]. split.
   { unfold v, bang. rewrite Rminus_0_r, Rabs_R0, !Rabs_left by lra. field. }
   split; [unfold y; ring|]. intros t Le. assert (2 * tau <= t) by (unfold tau; lra). split.

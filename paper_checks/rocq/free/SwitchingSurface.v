@@ -9,12 +9,8 @@ From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle ExitO
 
 Section Surface.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let q := m1 / (m1 + m2).
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
-Let q0 : 0 < q. Proof. apply q_pos; auto. Qed.
-Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
-Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
+Context (q := m1 / (m1 + m2)) (L := L m1 m2 a2 b) (Ecr := Ecr m1 m2 a2 b) (q0 : 0 < q := q_pos m1 m2 Hm1 Hm2)
+  (L0 : 0 < L := L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) (E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb).
 
 (** the rate of v1 - v2 in the slip of sign k: Phi_k . n_S *)
 Definition normal_rate k x := - (a2 * m2 * x + k * b * (m1 + m2)) / (m1 * m2).
@@ -92,11 +88,8 @@ Proof.
   { exists 1. split; [lra|]. intros u Hu.
     apply (sticks_iff m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t Ht Ev) with (u := u - t) in Lo; [|lra].
     replace (t + (u - t)) with u in Lo by ring. exact Lo. }
-  apply Rnot_le_lt in Hi. assert (U : 0 < (E t - Ecr) / (Ecr * q)) by positive.
-  set (u := sqrt ((E t - Ecr) / (Ecr * q))). assert (Hu : 0 < u) by positive. assert (En : E t = Ecr * (1 + q * u ^ 2)).
-  { unfold u. replace (sqrt ((E t - Ecr) / (Ecr * q)) ^ 2)
-      with (sqrt ((E t - Ecr) / (Ecr * q)) * sqrt ((E t - Ecr) / (Ecr * q))) by ring.
-    rewrite sqrt_sqrt by lra. field. lra. }
+  apply Rnot_le_lt in Hi. destruct (level_push m1 m2 a2 b Hm1 Hm2 Ha2 Hb (E t) Hi) as (Hu & En).
+  set (u := sqrt _) in *.
   destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t u Ht Ev Hx Hu En) as (k & te & Hk & Te & (X & V & _) & St).
   exists (te - t). split; [|intros w Hw; apply St; lra]. destruct (Req_dec te t) as [->|]; [exfalso|lra].
   fold L in X. pose proof (ray_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb u Hu). destruct Hk; subst k;

@@ -5,11 +5,8 @@ From InertialPair Require Import Dini Pair Stick Excursion EnergyLimit Cycle Sha
 
 Section Uniform.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let Ecr := Ecr m1 m2 a2 b.
-Let L := L m1 m2 a2 b.
-Let o1 := o1 m1 a2.
-Let be := b / m2.
-Let energy := energy m1 m2 a2.
+Context (Ecr := Ecr m1 m2 a2 b) (L := L m1 m2 a2 b) (o1 := o1 m1 a2) (be := b / m2)
+  (energy := energy m1 m2 a2).
 
 (** A slip that ends at x = b/a2, where body 1 alone would rest, with the speed v: traced back, body 1 swings about
     that place and is never faster than v, while body 2 was faster by beta at each unit of time. *)
@@ -146,7 +143,7 @@ Proof.
   pose proof (Mono 0 tc ltac:(lra)) as E0.
   destruct (returns_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H e n He k d u tc Hk ltac:(lra) (or_introl Hd) HG) as (t
     & F & Soon).
-  { change (E tc <= e). lra. } { change (E tc <= INR n * c). lra. }
+  { change (E tc <= e). lra. } { change (E tc < INR n * c). lra. }
   destruct (first_reentry_in _ _ _ _ _ _ F) as (Ht & Ev' & In). fold o1 in Soon. exists t. split; [lra|]. split;
     [auto|]. split; [exact In|].
   pose proof (Mono tc t ltac:(lra)). change (E t <= l). lra.
@@ -159,53 +156,36 @@ Theorem uniform_upper e : Ecr < e -> exists c, 0 < c /\ forall x v1 v2 s, soluti
   forall t, 0 < t -> energy (x t) (v1 t) (v2 t) / Ecr - 1 <= c / t.
 Proof.
   intros He. assert (Ep : 0 < Ecr) by (apply Ecr_pos; auto). set (q := m1 / (m1 + m2)).
-  assert (Q : 0 < q < 1). { split; [positive|]. apply Rmult_lt_reg_r with (m1 + m2); [lra|].
-    unfold q. replace (m1 / (m1 + m2) * (m1 + m2)) with m1 by (field; lra). lra. }
-  destruct (enters e (Ecr * (1 + 4 / 9 * q)) ltac:(lra) ltac:(nra)) as (T & HT & In).
+  assert (Q : 0 < q) by positive.
+  destruct (enters e (Ecr * (1 + 2 / 9 * q)) ltac:(lra) ltac:(nra)) as (T & HT & In).
   set (om := omega m1 m2 a2). assert (Om : 0 < om) by (apply omega_pos; auto). pose proof PI_RGT_0 as P0.
-  set (K := 9 / 4 * (m2 / m1)). assert (K0 : 0 < K) by positive. set (F := (5 / 6) ^ 12).
-  assert (F0 : 0 < F) by positive. set (A := om / (PI + 4)). assert (A0 : 0 < A) by positive.
-  set (T1 := 2 * T + 4 / A). assert (A1 : 0 < 4 / A) by positive. assert (Ee : 0 < e / Ecr) by positive.
-  assert (C1 : 0 < 2 / (K * F * A)) by positive. assert (C2 : 0 < e / Ecr * T1) by positive.
-  exists (2 / (K * F * A) + e / Ecr * T1). split; [lra|]. intros x v1 v2 s H HE NM t Ht.
-  set (w := fun t => energy (x t) (v1 t) (v2 t) / Ecr - 1). change (w t <= (2 / (K * F * A) + e / Ecr * T1) / t).
-  assert (Wp : forall t, 0 <= t -> 0 < w t).
-  { intros r Hr. specialize (NM r Hr). unfold w. assert (1 < energy (x r) (v1 r) (v2 r) / Ecr); [|lra].
-    undivide Ecr. lra. }
-  destruct (Rlt_dec t T1) as [Early|Late].
-  - assert (w t <= e / Ecr).
-    { pose proof (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H 0 t ltac:(lra)) as M.
-      change (energy (x t) (v1 t) (v2 t) <= energy (x 0) (v1 0) (v2 0)) in M. unfold w.
-      assert (energy (x t) (v1 t) (v2 t) / Ecr <= e / Ecr); [|lra]. apply Rmult_le_compat_r; [positive|lra]. }
-    apply Rle_trans with (1 := H0). apply Rmult_le_reg_r with t; auto.
-    replace ((2 / (K * F * A) + e / Ecr * T1) / t * t) with (2 / (K * F * A) + e / Ecr * T1) by (field; repeat split;
-      lra).
-    assert (e / Ecr * t <= e / Ecr * T1) by scale. lra.
-  - destruct (In x v1 v2 s H HE) as (t1 & Ht1 & Ev & Hx & El). set (w0 := w t1). assert (W0 : 0 < w0 <= 4 / 9 * q).
-    { split; [apply Wp; lra|]. unfold w0, w. assert (energy (x t1) (v1 t1) (v2 t1) / Ecr <= 1 + 4 / 9 * q); [|lra].
-      undivide Ecr. lra. }
-    assert (TT : t1 <= t) by (unfold T1 in Late; lra).
-    destruct (two_sided m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t1 H ltac:(lra) Ev Hx W0 t TT) as (Lo & _).
-    change (/ w0 + K * (1 - 3 / 8 * w0 / q) ^ 12 * (om * (t - t1) / (PI + 6 * sqrt w0) - 2) <= / w t) in Lo.
-    assert (Sw : sqrt w0 <= 2 / 3).
-    { rewrite <- (sqrt_pow2 (2 / 3)) by lra. apply sqrt_le_1_alt. lra. }
-    pose proof (sqrt_pos w0) as Sw0. assert (Fw : F <= (1 - 3 / 8 * w0 / q) ^ 12).
-    { apply pow_incr. split; [lra|]. assert (w0 / q <= 4 / 9); [|unfold Rdiv in *; lra]. undivide q. lra. }
-    assert (Aw : A * (t - T) <= om * (t - t1) / (PI + 6 * sqrt w0)).
-    { unfold A. replace (om / (PI + 4) * (t - T)) with (om * (t - T) * / (PI + 4)) by (field; lra).
-      apply Rmult_le_compat; [apply Rmult_le_pos; unfold T1 in Late; lra|positive|scale|].
-      apply Rinv_le_contravar; lra. }
-    assert (Half : A * t / 2 <= A * (t - T) - 2).
-    { assert (A * T1 <= A * t) by scale. unfold T1 in H0.
-      replace (A * (2 * T + 4 / A)) with (2 * (A * T) + 4) in H0 by (field; lra). lra. }
-    assert (At : 0 < A * t / 2) by positive. assert (Main : K * F * (A * t / 2) <= / w t).
-    { apply Rle_trans with (2 := Lo). assert (0 < / w0) by positive.
-      assert (K * F * (A * t / 2) <= K * (1 - 3 / 8 * w0 / q) ^ 12 * (om * (t - t1) / (PI + 6 * sqrt w0) - 2)); [|lra].
-      apply Rmult_le_compat; try lra; [positive|]. scale. }
-    apply Rle_trans with (2 / (K * F * A) / t).
-    + rewrite <- (Rinv_inv (w t)).
-      replace (2 / (K * F * A) / t) with (/ (K * F * (A * t / 2))) by (field; repeat split; lra).
-      apply Rinv_le_contravar; auto. positive.
-    + scale.
+  set (K := 9 / 4 * (m2 / m1)). assert (K0 : 0 < K) by positive.
+  set (C := (PI + 3) / (K * (11 / 12) ^ 12 * om)). assert (C0 : 0 < C) by (unfold C; positive).
+  assert (Ee : 0 < e / Ecr) by positive. exists (2 * C + e / Ecr * (2 * T + 1)).
+  split; [assert (0 < e / Ecr * (2 * T + 1)) by positive; lra|].
+  intros x v1 v2 s H HE NM t Ht. set (w := fun t => energy (x t) (v1 t) (v2 t) / Ecr - 1).
+  change (w t <= (2 * C + e / Ecr * (2 * T + 1)) / t).
+  assert (0 <= e / Ecr * (2 * T + 1)) by (apply Rmult_le_pos; lra). undivide t.
+  destruct (Rlt_dec (2 * T + 1) t) as [Late|Early].
+  - destruct (In x v1 v2 s H HE) as (t1 & Ht1 & Ev & Hx & El). set (w0 := w t1).
+    assert (W0 : 0 < w0 <= 2 / 9 * q).
+    { pose proof (NM t1 ltac:(lra)). unfold w0, w. split; [apply Rlt_Rminus; undivide Ecr; lra|].
+      cut (energy (x t1) (v1 t1) (v2 t1) / Ecr <= 1 + 2 / 9 * q); [lra|undivide Ecr; lra]. }
+    destruct (below_over_t m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t1 H ltac:(lra) Ev Hx W0 : 0 < 1 - 3 / 8 * w0 /
+      q /\
+      sqrt w0 <= 1 / 2 /\ _ /\ forall t, t1 < t -> 0 < w t <= (PI + 6 * sqrt w0) / (K * (1 - 3 / 8 * w0 / q) ^
+        12 * om) /
+      (t - t1)) as (Sg & S1 & _ & Be). destruct (Be t ltac:(lra)) as (Wt & Le). apply Rle_div_r in Le; [|lra].
+    apply Rle_trans with (2 * (w t * (t - t1))); [nra|].
+    apply Rle_trans with (2 * C); [apply Rmult_le_compat_l; [lra|]; apply Rle_trans with (1 := Le)|lra].
+    assert (F : (11 / 12) ^ 12 <= (1 - 3 / 8 * w0 / q) ^ 12).
+    { apply pow_incr. split; [lra|]. cut (w0 / q <= 2 / 9); [lra|undivide q; lra]. }
+    pose proof (sqrt_pos w0). apply Rmult_le_compat; [lra|apply Rlt_le; positive|lra|].
+    apply Rinv_le_contravar; [positive|]. apply Rmult_le_compat_r; [lra|scale].
+  - pose proof (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H 0 t ltac:(lra)) as M.
+    change (energy (x t) (v1 t) (v2 t) <= energy (x 0) (v1 0) (v2 0)) in M. assert (W : w t <= e / Ecr).
+    { unfold w. cut (energy (x t) (v1 t) (v2 t) / Ecr <= e / Ecr); [lra|].
+      apply Rmult_le_compat_r; [positive|lra]. }
+    apply Rle_trans with (e / Ecr * t); [scale|]. assert (e / Ecr * t <= e / Ecr * (2 * T + 1)) by scale. lra.
 Qed.
 End Uniform.
