@@ -12,8 +12,7 @@ Let sticks t := forall u, 0 <= u -> v1 (t + u) = v2 (t + u).
 
 Context (q0 : 0 < q := q_pos m1 m2 Hm1 Hm2) (L0 : 0 < L := L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)
   (E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) (O0 : 0 < o1 := o1_pos m1 a2 Hm1 Ha2).
-Let Emono t u : 0 <= t <= u -> E u <= E t.
-Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). Qed.
+Let Emono t u : 0 <= t <= u -> E u <= E t := E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t u.
 
 Let level_le y : Ecr * (1 + q * y) <= Ecr <-> y <= 0.
 Proof. assert (P : 0 < Ecr * q) by positive. split; nra. Qed.

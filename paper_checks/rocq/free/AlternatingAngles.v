@@ -62,7 +62,7 @@ Proof. intros Hp. unfold hh, ct. rewrite sin_PI_x, Rtrigo_facts.cos_pi_minus. tr
 Lemma two_hh p : 0 < p < PI -> 2 * p - 2 * hh p = ct p * depth p.
 Proof. intros Hp. pose proof (next_push 0 p Hp) as Q. rewrite push_0 in Q. lra. Qed.
 Section Alternate.
-Context (q pc : R) (Hq : 0 < q) (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / q).
+Context (q pc : R) (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / q).
 
 (** (a) after a long slip (p >= pc) that crosses, the next contact function at theta~ is at least P *)
 Lemma long_value d p : 0 <= d -> pc <= p < PI -> Pf pc <= push (depth p + d - 2 / q) (PI - pc) - (2 * p - push d p).

@@ -2,6 +2,7 @@
     h^2. *)
 From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle MergingAngles SlipFromGap
   AlternatingAngles AfterOneSlip.
+From InertialPair Require ExcursionShape.
 
 (** (c), the algebra: the level is a quadratic in D; its least value is positive if 1 - 2 h k < q h^2 *)
 Lemma level_pos m1 m2 p d : 0 < m1 -> 0 < m2 -> 1 - 2 * hh p * ct p < m1 / (m1 + m2) * hh p ^ 2 -> 0 < level m1 m2 p d.
@@ -37,15 +38,9 @@ Proof. intros Hpc <- Hp. apply (rising_iff PI depth pc p depth_incr Hpc Hp). Qed
 (** pc exists, between pi/2 and pi *)
 Lemma pc_ex q : 0 < q < 1 -> exists pc, PI / 2 < pc < PI /\ depth pc = 2 / q.
 Proof.
-  intros Hq. pose proof PI2_3_2. set (F := fun p => q * (sin p - p * cos p) - sin p).
-  destruct (cont_IVT F (PI / 2) PI) as (z & Hz & Z).
-  - apply cont_of_derive with (fun p => q * (p * sin p) - cos p). intros t. unfold F. auto_derive; auto. ring.
-  - lra.
-  - unfold F. rewrite sin_PI2, cos_PI2, sin_PI, cos_PI. assert (0 < (1 - q) * (q * PI)) by positive. lra.
-  - exists z. assert (z <> PI). { intros ->. unfold F in Z. rewrite sin_PI, cos_PI in Z.
-    assert (0 < q * PI) by positive. lra. }
-    assert (z <> PI / 2). { intros ->. unfold F in Z. rewrite sin_PI2, cos_PI2 in Z. lra. }
-    split; [lra|]. pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)). unfold F in Z. unfold depth.
-    replace (sin z - z * cos z) with (sin z / q); [field; lra|]. apply Rmult_eq_reg_l with q; [|lra].
-      replace (q * (sin z / q)) with (sin z) by (field; lra). lra.
+  intros Hq. destruct (ExcursionShape.depth_ex (2 / q)) as (p & Hp & E); [positive|]. exists p.
+  pose proof PI_RGT_0. assert (D : depth (PI / 2) = 2) by (unfold depth; rewrite sin_PI2, cos_PI2; field).
+  assert (1 < / q) by (rewrite <- Rinv_1; apply Rinv_lt_contravar; lra).
+  assert (PI / 2 < p) by (apply (proj2 (rising_iff PI depth (PI / 2) p depth_incr ltac:(lra) Hp)); lra).
+  split; [lra|auto].
 Qed.

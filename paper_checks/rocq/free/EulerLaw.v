@@ -1,6 +1,6 @@
 (** Forward Euler with any friction in [-b, b] that has the sign of the slip: its distance from the motion grows like
     sqrt (h t), with a constant that its own steps tell. *)
-From InertialPair Require Import Dini Pair.
+From InertialPair Require Import Dini Pair Rates.
 
 Section EulerLaw.
 Context (m1 m2 a1 a2 b h : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hh : 0 < h).
@@ -118,12 +118,9 @@ Qed.
 Lemma step_grows : D h <= D 0 + h * (h * (C * (C + C')) / 2).
 Proof.
   set (c := C * (C + C')). assert (Cd : cont D).
-  { pose proof (solution_moving _ _ _ _ _ _ _ _ _ H) as Hm. assert (Ct : cont (fun t => t)) by (apply (lip_cont _ 1); [lra|];
-      intros r t Hr; rewrite Rabs_pos_eq; lra).
-    assert (cont dx) by (apply cont_minus; [apply cont_plus; [apply cont_const|apply cont_mult; auto using cont_const]|apply (s_cx _ _ _ _ _ _ _ _ _ H)]).
-    assert (cont d1) by (apply cont_minus; [apply cont_plus; [apply cont_const|apply cont_mult; auto using cont_const]|apply (s_cv _ _ _ _ _ _ _ _ _ H)]).
-    assert (cont d2) by (apply cont_minus; [apply cont_plus; [apply cont_const|apply cont_mult; auto using cont_const]|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ Hm)]).
-    apply energy_cont; auto. }
+  { pose proof (s_cx _ _ _ _ _ _ _ _ _ H). pose proof (s_cv _ _ _ _ _ _ _ _ _ H).
+    assert (cont v2) by exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ (solution_moving _ _ _ _ _ _ _ _ _ H)).
+    apply energy_cont; continuous. }
   assert (Q : D h - c / 2 * (h * h) <= D 0 - c / 2 * (0 * 0)); [|lra].
   apply (dini_mono (fun t => D t - c / 2 * (t * t))); [|lra|].
   - apply cont_minus; auto. apply cont_of_derive with (fun t => c * t). intros t. auto_derive; auto. field.

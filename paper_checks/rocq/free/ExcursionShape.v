@@ -1,8 +1,8 @@
 (** The shape of an excursion by its angle: h increases from 0 to infinity and is convex, the depth c increases with it
     from 0 to infinity and is concave in h^2; which slips end where, and by which ray the pair leaves next. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle SharpRate SlipFromGap
-  AlternatingAngles SharpLaw.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle SlipFromGap ExitOrbit
+  SharpRate AlternatingAngles SharpLaw.
 
 (** *** h *)
 (** its rate *)
@@ -48,6 +48,23 @@ Proof.
   intros Up (u & Hu & E). exists u. split; auto. intros v (Hv & E'). apply (rising_one (2 * PI) f); auto. lra.
 Qed.
 
+(** the depth takes every value *)
+Lemma depth_ex y : 0 < y -> exists p, 0 < p < PI /\ depth p = y.
+Proof.
+  intros Hy. set (p0 := Rmin (y / 8) (1 / 2)). pose proof PI2_1.
+  assert (P0 : 0 < p0 <= 1 / 2 /\ p0 <= y / 8) by (unfold p0, Rmin; destruct Rle_dec; lra).
+  set (F := fun p => 2 * (sin p - p * cos p) - y * sin p).
+  assert (E : forall p, 0 < p < PI -> 0 < sin p /\ F p = sin p * (depth p - y)).
+  { intros p Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). split; auto. unfold F, depth. field. lra. }
+  destruct (IVT F p0 PI) as (z & Hz & Z); [unfold F; reg|lra| | |].
+  - destruct (E p0 ltac:(lra)) as (Sp & ->). assert (depth p0 < y); [|nra].
+    pose proof (depth_upper p0 ltac:(lra)) as U. pose proof (hh_pos p0 ltac:(lra)). rewrite hh_h in * by lra.
+    pose proof (h_small (2 * p0) ltac:(lra)). nra.
+  - unfold F. rewrite sin_PI, cos_PI. lra.
+  - assert (z <> PI) by (intros ->; unfold F in Z; rewrite sin_PI, cos_PI in Z; lra). exists z. split; [lra|].
+    destruct (E z ltac:(lra)) as (Sp & R). apply Rmult_eq_reg_l with (sin z); lra.
+Qed.
+
 (** [excursion-rise] $h$ increases on $(0,2\pi)$, takes every positive value once and has $h''>0$; $h-d\cot(\theta/2)$
     increases for every $d\geqslant 0$. *)
 Theorem rise : (forall u, 0 < u < 2 * PI -> is_derive h u (h1 u) /\ 0 < h1 u /\ is_derive h1 u (h2 u) /\ 0 < h2 u) /\
@@ -55,13 +72,8 @@ Theorem rise : (forall u, 0 < u < 2 * PI -> is_derive h u (h1 u) /\ 0 < h1 u /\ 
   (forall d p p', 0 <= d -> 0 < p -> p < p' -> p' < PI -> push d p < push d p').
 Proof.
   split; [intros u Hu; auto using h_derive, h1_pos, h1_derive, h2_pos|]. split; [|split; [exact h_pos|exact push_incr]].
-  intros y Hy. apply one_angle; [exact h_increases|]. pose proof PI_RGT_0. pose proof PI_4.
-  set (u0 := Rmin (y / 2) 1).
-  pose proof (Rmin_l (y / 2) 1). pose proof (Rmin_r (y / 2) 1). fold u0 in H0, H1, H2 |- *.
-  assert (U0 : 0 < u0) by positive. assert (PI_gt : 1 <= PI) by (pose proof PI2_1; lra).
-  destruct (push_ex 0 y (u0 / 2)) as (p & Hp & E); [lra| |].
-  - rewrite push_0, hh_h by lra. replace (2 * (u0 / 2)) with u0 by field. pose proof (h_small u0 ltac:(lra)). lra.
-  - exists (2 * p). rewrite push_0, hh_h in E by lra. split; [lra|auto].
+  intros y Hy. apply one_angle; [exact h_increases|]. destruct (half_ex y Hy) as (p & Hp & E). exists (2 * p).
+  rewrite <- hh_h by auto. split; [lra|auto].
 Qed.
 
 (** [excursion-depth] $c'=h$; $c$ takes every positive value once on $(0,2\pi)$ and is concave as a function of $h^2$.
@@ -72,18 +84,8 @@ Theorem deepens : (forall u, 0 < u < 2 * PI -> is_derive c u (h u) /\ 0 < c u) /
     (c w - c v) * (h v ^ 2 - h u ^ 2) <= (c v - c u) * (h w ^ 2 - h v ^ 2)).
 Proof.
   pose proof PI_RGT_0. split; [intros u Hu; split; [apply c_derive; auto|apply depth_pos; lra]|]. split.
-  - intros y Hy. apply one_angle; [apply c_increases|]. set (p0 := Rmin (y / 8) (1 / 2)).
-    assert (P0 : 0 < p0 <= 1 / 2 /\ p0 <= y / 8) by (unfold p0, Rmin; destruct Rle_dec; lra).
-    pose proof PI2_1. set (F := fun p => 2 * (sin p - p * cos p) - y * sin p).
-    assert (E : forall p, 0 < p < PI -> 0 < sin p /\ F p = sin p * (depth p - y)).
-    { intros p Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). split; auto. unfold F, depth. field. lra. }
-    destruct (IVT F p0 PI) as (z & Hz & Z); [unfold F; reg|lra| | |].
-    + destruct (E p0 ltac:(lra)) as (Sp & ->). assert (depth p0 < y); [|nra].
-      pose proof (depth_upper p0 ltac:(lra)) as U. pose proof (hh_pos p0 ltac:(lra)). rewrite hh_h in * by lra.
-      pose proof (h_small (2 * p0) ltac:(lra)). nra.
-    + unfold F. rewrite sin_PI, cos_PI. lra.
-    + assert (z <> PI) by (intros ->; unfold F in Z; rewrite sin_PI, cos_PI in Z; lra). exists (2 * z). split; [lra|].
-      destruct (E z ltac:(lra)) as (Sp & R). unfold c. replace (2 * z / 2) with z by field. apply Rmult_eq_reg_l with (sin z); lra.
+  - intros y Hy. apply one_angle; [apply c_increases|]. destruct (depth_ex y Hy) as (p & Hp & E).
+    exists (2 * p). unfold c. replace (2 * p / 2) with p by field. split; [lra|auto].
   - intros u v w Hu Huv Hvw Hw. pose proof (h1_pos v ltac:(lra)) as Dv. set (k := / (2 * h1 v)). assert (Kp : 0 < k) by (unfold k; positive).
     assert (Mono : rising (2 * PI) h1).
     { intros r t Hr Hrt Ht. apply (climbs h1 h2); [auto| |]; intros z Hz; [apply h1_derive|apply h2_pos]; lra.

@@ -169,7 +169,7 @@ Lemma peak_law : (forall t, 0 <= t -> Ecr < E t) ->
 Proof.
   intros Up. assert (Pk : forall t, pk t ^ 2 = 2 * E t / (m1 + m2)).
   { intros t. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)) as Q.
-    unfold pk. rewrite <- Rsqr_pow2, Rsqr_sqrt; auto. positive. } assert (LO : (L * om) ^ 2 = 2 * Ecr / (m1 + m2)).
+    apply pow2_sqrt. positive. } assert (LO : (L * om) ^ 2 = 2 * Ecr / (m1 + m2)).
   { unfold Ecr. rewrite Ecr_L by auto. fold L. rewrite Rpow_mult_distr. replace (om ^ 2) with (om * om) by ring.
     unfold om. rewrite omega_sq by auto. lra. }
   assert (R0 : 0 < rate m1 m2 a2) by (unfold rate; pose proof PI_RGT_0; positive).

@@ -6,9 +6,11 @@ From InertialPair Require Import Dini Excursion ReturnMap TurningFunction SlipFr
 (** phi* is above 1.89 *)
 Lemma root_above ps : 0 < ps <= PI -> K ps = 0 -> 189 / 100 < ps.
 Proof.
-  intros Hp Z. destruct root as (p & Hp' & Zp & Le & Ri). assert (189 / 100 <= PI) by (interval with (i_prec 60)).
+  intros Hp Z. destruct root as (p & Hp' & Zp & Le & Ri).
+  assert (189 / 100 <= PI) by (interval with (i_prec 60)).
   assert (0 < K (189 / 100)) by (unfold K; interval with (i_prec 60)). apply Rnot_le_lt. intros N.
-  assert (189 / 100 < p) by (apply Rnot_le_lt; intros [M|M]; [specialize (Ri (189 / 100))|rewrite M in Zp]; lra).
+  assert (189 / 100 < p) by (apply Rnot_le_lt; intros [M|M]; [specialize (Ri (189 / 100))|rewrite M in Zp];
+    lra).
   specialize (Le ps ltac:(lra)). lra.
 Qed.
 

@@ -21,8 +21,7 @@ Context (q := m1 / (m1 + m2)) (o1 := o1 m1 a2) (L := L m1 m2 a2 b) (Ecr := Ecr m
   (E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) (O0 : 0 < o1 := o1_pos m1 a2 Hm1 Ha2).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
-Let Emono t u : 0 <= t <= u -> E u <= E t.
-Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). Qed.
+Let Emono t u : 0 <= t <= u -> E u <= E t := E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t u.
 (** a contact in S0 above E_cr *)
 Let above t := 0 <= t /\ v1 t = v2 t /\ - L <= x t <= L /\ Ecr < E t.
 

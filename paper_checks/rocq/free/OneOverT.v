@@ -56,10 +56,9 @@ Theorem one_over_t : v1 0 = v2 0 -> - L <= x 0 <= L ->
   (PI + 6 * sqrt w0) / (K * (1 - 3 / 8 * w0 / q) ^ 12 * om) / t.
 Proof.
   intros Ev Hx w w0 K HW T t HT. assert (0 < K) by (unfold K; positive). pose proof PI2_3_2.
-  destruct (below_over_t m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s 0 H (Rle_refl 0) Ev Hx HW : _ /\ sqrt w0 <= 1 / 2
-    /\
-    K * w0 < 1 / 2 /\ forall t, 0 < t -> 0 < w t <= (PI + 6 * sqrt w0) / (K * (1 - 3 / 8 * w0 / q) ^ 12 * om)
-      / (t - 0))
+  destruct (below_over_t m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s 0 H (Rle_refl 0) Ev Hx HW : _ /\ sqrt w0 <=
+    1 / 2 /\ K * w0 < 1 / 2 /\ forall t, 0 < t ->
+    0 < w t <= (PI + 6 * sqrt w0) / (K * (1 - 3 / 8 * w0 / q) ^ 12 * om) / (t - 0))
     as (_ & S1 & KW & Be).
   destruct (Be t ltac:(lra)) as (Wt & Le). rewrite Rminus_0_r in Le. split; [|exact Le].
   assert (HW' : 0 < w0 <= 4 / 9 * q) by lra. assert (P6 : 6 * sqrt w0 < PI) by lra.

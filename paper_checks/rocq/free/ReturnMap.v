@@ -1,7 +1,6 @@
 (** Orbits of the return map y' = h^2 - r c^2: y_n -> 0 and n y_n -> 4/(9 r). *)
 From InertialPair Require Import Dini Excursion.
 
-(** h in the half angle *)
 Definition hh p := (p - sin p * cos p) / sin p ^ 2.          (* h in the half angle *)
 Definition depth p := 2 * (sin p - p * cos p) / sin p.       (* c = 2 - theta cot(theta/2) *)
 
@@ -90,7 +89,7 @@ Proof.
   destruct n; [inversion Hn|]. rewrite Sum. simpl pred. field. apply not_0_INR; discriminate.
 Qed.
 
-(** and so far apart as they are long *)
+(** and n steps go between n times their bounds *)
 Lemma steps_between (u : nat -> R) lo hi : (forall n, lo <= u (S n) - u n <= hi) ->
   forall n, INR n * lo <= u n - u O <= INR n * hi.
 Proof. intros D n. induction n as [|n IH]; [simpl; lra|]. rewrite S_INR. specialize (D n). lra. Qed.
@@ -101,6 +100,14 @@ Proof.
   intros B F. apply is_lim_seq_spec. apply is_lim_seq_spec in F. intros e. destruct (F e) as (N & K). exists N.
   intros n Hn. specialize (K n Hn). rewrite Rminus_0_r in K. apply Rle_lt_trans with (2 := K).
   apply Rle_trans with (1 := B n), Rle_abs.
+Qed.
+
+(** a limit through a smooth function *)
+Lemma lim_through (g : R -> R) u (l : R) : is_lim_seq u l -> ex_derive g l -> is_lim_seq (fun n => g (u n)) (g
+  l).
+Proof.
+  intros U D. apply (is_lim_seq_continuous g); [|exact U].
+  apply continuity_pt_filterlim, (ex_derive_continuous g), D.
 Qed.
 
 Section Orbit.
@@ -197,19 +204,15 @@ Proof.
     - apply is_lim_sinc_0.
     - exists 0%nat. intros n _ E. injection E. pose proof (Hphi n). lra.
     - apply phi_to_zero. }
-  assert (Pl : forall k, is_lim_seq (fun n => si n ^ k) 1).
-  { induction k; simpl. { apply is_lim_seq_const. }
-    replace (Finite 1) with (Rbar_mult 1 1) by (simpl; f_equal; ring). apply is_lim_seq_mult'; auto. }
-  assert (Lo : is_lim_seq (fun n => kappa * si n ^ 12) kappa).
-  { replace (Finite kappa) with (Rbar_mult kappa 1) by (simpl; f_equal; ring). apply is_lim_seq_scal_l, Pl. }
-  assert (Up : is_lim_seq (fun n => kappa / (1 - kappa * y n)) kappa).
-  { replace (Finite kappa) with (Finite (kappa / (1 - kappa * 0))) by (f_equal; field; lra).
-    apply is_lim_seq_div'; [apply is_lim_seq_const| |lra]. apply is_lim_seq_minus'; [apply is_lim_seq_const|].
-      apply is_lim_seq_mult'; [apply is_lim_seq_const|apply y_to_zero]. }
+  pose proof (lim_through (fun z => kappa * z ^ 12) si 1 Sl ltac:(auto_derive; auto)) as Lo.
+  pose proof (lim_through (fun z => kappa / (1 - kappa * z)) y 0 y_to_zero ltac:(auto_derive; lra)) as Up.
+  cbv beta in Lo, Up. replace (kappa * 1 ^ 12) with kappa in Lo by ring.
+  replace (kappa / (1 - kappa * 0)) with kappa in Up by field.
   assert (Ev : eventually (fun n => kappa * y n < 1)).
-  { assert (Z : is_lim_seq (fun n => kappa * y n) (kappa * 0)) by (apply is_lim_seq_mult'; [apply is_lim_seq_const|apply
-      y_to_zero]). apply is_lim_seq_spec in Z. destruct (Z (mkposreal 1 Rlt_0_1)) as (n0 & K). exists n0. intros n Hn.
-    specialize (K n Hn). simpl in K. apply Rabs_def2 in K. lra. }
+  { pose proof (lim_through (fun z => kappa * z) y 0 y_to_zero ltac:(auto_derive; auto)) as Z.
+    apply is_lim_seq_spec in Z.
+    destruct (Z (mkposreal 1 Rlt_0_1)) as (n0 & K). exists n0. intros n Hn. specialize (K n Hn). simpl in K.
+    apply Rabs_def2 in K. lra. }
   apply is_lim_seq_le_le_loc with (fun n => kappa * si n ^ 12) (fun n => kappa / (1 - kappa * y n)); auto.
   destruct Ev as (n0 & K). exists n0. split; [apply d_lower|apply d_upper; auto].
 Qed.

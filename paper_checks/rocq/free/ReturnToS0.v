@@ -33,8 +33,7 @@ Context (q := m1 / (m1 + m2)) (r := m2 / (m1 + m2)) (o1 := o1 m1 a2) (L := L m1 
   (E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) (O0 : 0 < o1 := o1_pos m1 a2 Hm1 Ha2).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
-Let Emono t u : 0 <= t <= u -> E u <= E t.
-Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). Qed.
+Let Emono t u : 0 <= t <= u -> E u <= E t := E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t u.
 
 (** the energy at a gap and a push *)
 Lemma gap_level k d u t : k = 1 \/ k = -1 -> at_gap m1 m2 a2 b k d u x v1 v2 t ->
@@ -59,14 +58,9 @@ Qed.
 (** body 1 moves no faster than all its energy allows *)
 Lemma path t u e : 0 <= t <= u -> E t <= e -> Rabs (x u - x t) <= sqrt (2 * e / m1) * (u - t).
 Proof.
-  intros Ht He. set (V := sqrt (2 * e / m1)). assert (Vb : forall w, t <= w -> - V <= v1 w <= V).
-  { intros w Hw. assert (Ew : E w <= e) by (apply Rle_trans with (2 := He), Emono; lra). unfold E, energy in Ew.
-    assert (Sq : v1 w ^ 2 <= 2 * e / m1).
-    { undivide m1. assert (0 <= a2 * x w ^ 2) by positive. assert (0 <= m2 * v2 w ^ 2) by positive. lra. }
-    assert (VV : V * V = 2 * e / m1). { apply sqrt_sqrt. pose proof (pow2_ge_0 (v1 w)). lra. }
-    pose proof (sqrt_pos (2 * e / m1)) as V0. fold V in V0. split; nra. }
-  apply (lip_between x v1 V t u (s_cx _ _ _ _ _ _ _ _ _ H) Ht). intros w Hw.
-  split; [apply (s_x _ _ _ _ _ _ _ _ _ H)|apply Vb]; lra.
+  intros Ht He. apply (lip_between x v1); [apply (s_cx _ _ _ _ _ _ _ _ _ H)|auto|]. intros w Hw.
+  split; [apply (s_x _ _ _ _ _ _ _ _ _ H); lra|]. apply Rabs_inv, Forced.root_bound; auto.
+  apply (Forced.energy_parts m1 m2 a2 Hm1 Hm2 Ha2 (x w) (v1 w) (v2 w)), Rle_trans with (2 := He), Emono. lra.
 Qed.
 
 (** so a slip that crosses has a half angle of at least this *)

@@ -178,8 +178,8 @@ Proof.
       apply Rmult_le_compat_l; [lra|]. unfold T, Tu. rewrite De.
       assert (sqrt q * (2 * p) <= sqrt q * (6 * hh p)) by (apply Rmult_le_compat_l; lra). lra. }
     assert (Ka : q * c <= a).
-    { unfold a. undivide ((w0 / q) ^ 2). replace (q * c * (w0 / q) ^ 2) with (r * (3 / 2 * sg ^ 6 * (w0 / q))
-        ^ 2).
+    { unfold a. undivide ((w0 / q) ^ 2).
+      replace (q * c * (w0 / q) ^ 2) with (r * (3 / 2 * sg ^ 6 * (w0 / q)) ^ 2).
       - assert (0 <= sg ^ 6 <= (sin p / p) ^ 6) by (split; [apply pow_le|apply pow_incr]; lra).
         assert (0 < w0 / q) by positive. scale. apply pow_incr. split; [positive|].
         apply Rle_trans with (2 := C3). apply Rmult_le_compat_r; lra.

@@ -130,20 +130,14 @@ Proof.
     assert (0 < Ecr * (q * y n)) by positive. lra.
 Qed.
 
-(** every time is in one cycle *)
-Lemma bracket N j t : tm N <= t -> t < tm (N + j) -> exists n, (N <= n)%nat /\ tm n <= t <= tm (S n).
-Proof.
-  induction j; intros HN Hj. { rewrite Nat.add_0_r in Hj. lra. } destruct (Rle_dec (tm (N + j)) t) as [G|G].
-  - exists (N + j)%nat. split; [lia|]. rewrite Nat.add_succ_r in Hj. lra.
-  - apply IHj; lra.
-Qed.
 (** every later time lies in some cycle *)
 Lemma in_cycle N t : tm N <= t -> exists n, (N <= n)%nat /\ tm n <= t <= tm (S n).
 Proof.
-  intros HN. destruct (tm_above t) as (n & Hn). apply (bracket N n); auto. assert (Mo : forall i j, tm i <= tm (j + i)).
-  { induction j; [change (0 + i)%nat with i; lra|]. change (S j + i)%nat with (S (j + i)). pose proof (tm_up (j + i)).
-    lra. }
-  pose proof (Mo n N). lra.
+  intros HN. assert (Or : forall j, (exists n, (N <= n)%nat /\ tm n <= t <= tm (S n)) \/ tm (N + j) <= t).
+  { induction j as [|j [E'|L]]; [right; rewrite Nat.add_0_r; auto|auto|]. rewrite Nat.add_succ_r.
+    destruct (Rle_dec (tm (S (N + j))) t); [auto|left; exists (N + j)%nat; split; [lia|lra]]. }
+  pose proof tm_inf as T. apply is_lim_seq_spec in T. destruct (T t) as (n & K).
+  specialize (K (N + n)%nat ltac:(lia)). destruct (Or n); [auto|lra].
 Qed.
 
 (** *** The sharp law in the time *)

@@ -86,18 +86,15 @@ Proof. exact (free_energy_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ jumping_moves t). Qed
 Lemma jumping_decreases r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (free_decreases _ _ _ _ _ Hm1 Hm2 Ha1 Hk _ _ _ _ _ jumping_moves r t). Qed.
 
-(** what the energy bounds *)
-Lemma root_bound y c g : 0 < c -> c * y ^ 2 / 2 <= g -> Rabs y <= sqrt (2 * g / c).
-Proof. intros Hc Q. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. undivide c. lra. Qed.
-
 (** the load changes slowly *)
 Lemma load_lip r t : 0 <= r <= t -> Rabs (ld t - ld r) <= C * (t - r).
 Proof.
   intros Hr. set (P := sqrt (2 * e / a2)). set (V := sqrt (2 * e / m1)).
   set (A := (a2 * P + a1 * V + bs) / m1).
   assert (Bd : forall u, 0 <= u -> Rabs (x u) <= P /\ Rabs (v1 u) <= V).
-  { intros u Hu. pose proof (jumping_decreases 0 u ltac:(lra)) as D. unfold E at 1, energy, Pair.energy in D.
-    split; apply root_bound; auto; nra. }
+  { intros u Hu. destruct (Forced.energy_parts m1 m2 a2 Hm1 Hm2 Ha2 (x u) (v1 u) (v2 u) e) as (Q1 & Q2 & _);
+      [exact (Rle_trans _ _ _ (jumping_decreases 0 u ltac:(lra)) He)|]. split; apply Forced.root_bound; auto.
+      }
   assert (Lx : Rabs (x t - x r) <= V * (t - r)).
   { apply (lip_of_rderiv x v1); auto using (j_cx _ _ _ _ H). split; [apply (j_x _ _ _ _ H)|apply Bd]; auto. }
   assert (Lv : Rabs (v1 t - v1 r) <= A * (t - r)).

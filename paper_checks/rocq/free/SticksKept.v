@@ -43,9 +43,9 @@ Proof.
 Qed.
 
 (** *** a slip from a contact with the load bs or more: it goes on to the next contact, and costs *)
-Lemma launch e x v1 v2 s : solution m1 m2 a1 a2 bk x v1 v2 s -> energy (x 0) (v1 0) (v2 0) <= e -> v1 0 = v2 0
-  ->
-  bs <= Rabs (load (x 0) (v1 0)) -> exists q, 0 < q /\ v1 q = v2 q /\ (forall u, 0 < u < q -> v1 u <> v2 u) /\
+Lemma launch e x v1 v2 s : solution m1 m2 a1 a2 bk x v1 v2 s -> energy (x 0) (v1 0) (v2 0) <= e ->
+  v1 0 = v2 0 -> bs <= Rabs (load (x 0) (v1 0)) ->
+  exists q, 0 < q /\ v1 q = v2 q /\ (forall u, 0 < u < q -> v1 u <> v2 u) /\
     energy (x q) (v1 q) (v2 q) <= energy (x 0) (v1 0) (v2 0) - least_loss m1 m2 a1 a2 bs bk e.
 Proof.
   intros H He Meet Edge. pose proof (kinetic _ _ _ _ H) as H2. set (w := fun t => v1 t - v2 t).

@@ -14,9 +14,8 @@ Lemma literal_force (v c : R -> R) x0 : ac v -> almost (fun t => is_derive v t (
   almost (fun t => Rabs (c t) < b / m2) -> switching m1 m2 a1 a2 b (push_of x0 v c) (place x0 v) v v.
 Proof.
   intros Av Dv Sm. pose proof (cont_ac _ Av) as Cv.
-  assert (Cx : cont (place x0 v)) by (apply cont_plus; [apply cont_const|apply integral_cont; auto]).
-  assert (Rx : forall t, 0 <= t -> rderiv (place x0 v) t (v t)).
-  { intros t Ht. apply rderiv_eq with (0 + v t); [ring|]. apply rderiv_plus; [apply rderiv_const|apply integral_rderiv; auto]. }
+  assert (Cx : cont (place x0 v)) by (unfold place; continuous).
+  assert (Rx : forall t, 0 <= t -> rderiv (place x0 v) t (v t)) by (intros t Ht; unfold place; rate; ring).
   split; [exact (ac_of_rderiv _ v Cx Cv Rx)|]. repeat (split; [auto|]).
   generalize (almost_and _ _ almost_later (almost_and _ _ Dv Sm)). apply almost_impl. intros t _ (Ht & D & Hc).
   exists (c t), (c t). split; [exact (derive_of_rderiv _ v t Cx Cv Rx Ht)|split; [auto|split; [auto|]]].

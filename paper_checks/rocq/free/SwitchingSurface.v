@@ -60,7 +60,8 @@ Theorem slips_beyond t : 0 <= t -> v1 t = v2 t -> ~ (- L <= x t <= L) ->
   exists T, 0 < T /\ forall u, t < u < t + T -> 0 < x t * (v2 u - v1 u).
 Proof.
   intros Ht Ev N. destruct (beyond_gap m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 t Ev N) as (k & d & u & Hk & Hd & HG).
-  destruct (gap_slips m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t d u Hk H Ht Hd HG) as (p & Hp & _ & Sg & _).
+  destruct (push_root d u Hd) as (p & (Hp & <-) & _).
+  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t d p Hk H Ht ltac:(lra) Hp HG) as (_ & Sg & _).
   exists (2 * p / o1 m1 a2). pose proof (o1_pos m1 a2 Hm1 Ha2). split; [positive|].
   intros w Hw. specialize (Sg w Hw). destruct HG as (X & _). fold q L in X. assert (0 < L * (1 + q * d)) by positive.
   destruct Hk; subst k; nra.

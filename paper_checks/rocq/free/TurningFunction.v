@@ -21,27 +21,29 @@ Proof.
       (fun u => (2 * u * (2 + cos (2 * u)) - 3 * sin (2 * u)) / 2)); [lra|dern|].
     intros u Hu. pose proof (cusa_strict (2 * u) ltac:(lra)). lra.
 Qed.
-(** so it has the sign of p - p* *)
-Lemma signs p : 0 < p <= PI -> K p = 0 -> (forall q, 0 < q < p -> 0 < K q) /\ (forall q, p < q <= PI -> K q < 0).
-Proof.
-  intros Hp Z. assert (E : forall q, 0 < q <= PI -> 0 < sin q - q * cos q /\ K q = (sin q - q * cos q) *
-    (turned q - sqrt 2)).
-  { intros q Hq. pose proof (g_until_pi q Hq). split; [auto|]. unfold K, turned. field. lra. }
-  destruct (E p Hp) as (G & Ep). assert (turned p = sqrt 2) as T by nra.
-  split; intros q Hq; destruct (E q ltac:(lra)) as (Gq & ->); [pose proof (turned_falls q p)|pose proof
-    (turned_falls p q)]; nra.
-Qed.
+Lemma K_turned q : 0 < q <= PI -> 0 < sin q - q * cos q /\ K q = (sin q - q * cos q) * (turned q - sqrt 2).
+Proof. intros Hq. pose proof (g_until_pi q Hq). split; [auto|]. unfold K, turned. field. lra. Qed.
 
 (** [turning-point] The turning function has one zero $\varphi^*$ in $(0,\pi]$. *)
 Theorem root : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q < p -> 0 < K q) /\ (forall q, p < q <= PI ->
   K q < 0).
 Proof.
-  pose proof PI2_3_2. assert (S : 1 < sqrt 2 < 3 / 2) by (pose proof (sqrt_sqrt 2 ltac:(lra)); pose proof
-    (sqrt_pos 2); nra).
+  pose proof PI2_3_2. assert (S : 1 < sqrt 2 < 3 / 2)
+    by (pose proof (sqrt_sqrt 2 ltac:(lra)); pose proof (sqrt_pos 2); nra).
   assert (KP : K PI < 0) by (unfold K; rewrite sin_PI, cos_PI; nra).
   assert (KH : 0 < K (PI / 2)) by (unfold K; rewrite sin_PI2, cos_PI2; lra).
   destruct (cont_IVT K (PI / 2) PI cont_K) as (p & Hp & Z); [lra|nra|]. exists p.
-  assert (p <> PI) by (intros ->; lra). split; [lra|]. split; [auto|apply signs; [lra|auto]].
+  assert (p <> PI) by (intros ->; lra). destruct (K_turned p) as (G & Ep); [lra|].
+  assert (turned p = sqrt 2) by nra. split; [lra|]. split; [auto|].
+  split; intros q Hq; destruct (K_turned q ltac:(lra)) as (Gq & ->);
+    [pose proof (turned_falls q p)|pose proof (turned_falls p q)]; nra.
+Qed.
+
+(** it alone is this zero *)
+Lemma signs p : 0 < p <= PI -> K p = 0 -> (forall q, 0 < q < p -> 0 < K q) /\ (forall q, p < q <= PI -> K q < 0).
+Proof.
+  intros Hp Z. destruct root as (p' & Hp' & Z' & Le & Ri). assert (p' = p) as ->; [|auto].
+  destruct (Rtotal_order p p') as [L|[|L]]; auto; [specialize (Le p ltac:(lra))|specialize (Ri p ltac:(lra))]; lra.
 Qed.
 
 (** *** the ratio h/c and the threshold of merging *)
@@ -94,6 +96,16 @@ Proof.
   rewrite sqrt_sqrt by lra. field. lra.
 Qed.
 
+(** the share of body 2 beside the least ratio, as the critical mass ratio beside that of the masses *)
+Lemma ratio_share p m1 m2 : 0 < p < PI -> K p = 0 -> 0 < m1 -> 0 < m2 ->
+  0 < m2 / (m1 + m2) * ratio p ^ 2 /\
+  m2 / (m1 + m2) - ratio p ^ 2 = (- cos (2 * p) - m1 / m2) * (m2 / (m1 + m2) * ratio p ^ 2).
+Proof.
+  intros Hp Z H1 H2. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
+  rewrite (ratio_root p Hp Z), cos_2a_sin.
+  split; [|field; lra]. apply Rmult_lt_0_compat; [positive|apply Rinv_0_lt_compat; nra].
+Qed.
+
 (** [merging-threshold] $h^2>r\,c^2$ at all slip angles below $2\pi$ exactly if $m_1/m_2>-\cos 2\varphi^*$; else not
     at $2\varphi^*$. *)
 Theorem threshold : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q <= PI -> K q = 0 -> q = p) /\
@@ -102,7 +114,6 @@ Theorem threshold : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q <= PI ->
   (forall m1 m2, 0 < m1 -> 0 < m2 -> (m2 / (m1 + m2) < / (2 * sin p ^ 2) <-> - cos (2 * p) < m1 / m2)).
 Proof.
   destruct root as (p & Hp' & Z & Le & Ri).
-  pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp') as G.
   pose proof (ratio_root p Hp' Z) as R2. assert (Rel : forall q, 0 < q < PI -> hh q ^ 2 = ratio q ^ 2 * depth q ^ 2).
   { intros q Hq. pose proof (depth_pos q Hq). unfold ratio. field. lra. }
   exists p. split; [auto|]. split; [auto|]. split.
@@ -113,11 +124,6 @@ Proof.
     assert (0 < ratio p) by (apply Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto).
     assert (ratio p ^ 2 <= ratio q ^ 2) by nra. pose proof (pow_lt _ 2 (depth_pos q Hq)). nra.
   - intros r Hr. rewrite Rel by auto. nra.
-  - intros m1 m2 H1 H2. assert (S2 : 0 < sin p ^ 2) by positive. rewrite cos_2a_sin.
-    assert (E1 : m2 / (m1 + m2) * (2 * sin p ^ 2) * (m1 + m2) = 2 * m2 * sin p ^ 2) by (field; lra).
-    assert (E2 : m1 / m2 * m2 = m1) by (field; lra).
-    assert (E3 : / (2 * sin p ^ 2) * (2 * sin p ^ 2) = 1) by (field; lra).
-    split; intros Q.
-    + apply Rmult_lt_compat_r with (r := 2 * sin p ^ 2) in Q; [|lra]. nra.
-    + apply Rmult_lt_reg_r with (2 * sin p ^ 2); [lra|]. nra.
+  - intros m1 m2 H1 H2. destruct (ratio_share p m1 m2 Hp' Z H1 H2) as (P & E). rewrite R2 in P, E.
+    split; intros; nra.
 Qed.

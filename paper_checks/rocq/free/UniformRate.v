@@ -95,24 +95,24 @@ Qed.
 Theorem settles e l : Ecr < l -> exists T, 0 <= T /\ forall x v1 v2 s, solution m1 m2 0 a2 b x v1 v2 s ->
   energy (x 0) (v1 0) (v2 0) <= e -> energy (x T) (v1 T) (v2 T) <= l.
 Proof.
-  intros Hl. set (d := toll m1 m2 a2 b l). assert (D : 0 < d) by (apply toll_pos; auto).
-  set (W := Rabs (spell m1 m2 a2 b e l)). destruct (nat_above e d D) as (n & Hn). assert (W0 : 0 <= W) by positive.
-  exists (INR n * W). split; [apply Rmult_le_pos; [apply pos_INR|auto]|]. intros x v1 v2 s H HE.
-  set (E := fun t => energy (x t) (v1 t) (v2 t)). change (E 0 <= e) in HE.
-  assert (Mono : forall r t, 0 <= r <= t -> E t <= E r).
-  { intros r t Hr. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H r t Hr). }
-  assert (Pos : forall t, 0 <= E t) by (intros t; apply energy_pos; auto).
+  intros Hl. pose proof (toll_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb l Hl) as D. set (d := toll m1 m2 a2 b l) in *.
+  pose proof (spell_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb e l Hl) as W0. set (W := spell m1 m2 a2 b e l) in *.
+  destruct (nat_above e d D) as (n & Hn). exists (INR n * W).
+  split; [apply Rmult_le_pos; [apply pos_INR|auto]|].
+  intros x v1 v2 s H HE. set (E := fun t => energy (x t) (v1 t) (v2 t)). change (E 0 <= e) in HE.
+  assert (Mono : forall r t, 0 <= r <= t -> E t <= E r)
+    by exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H).
   assert (Step : forall k, E (INR k * W) <= l \/ E (INR k * W) <= e - INR k * d).
-  { induction k as [|k IH]; [right; simpl; rewrite !Rmult_0_l; lra|]. pose proof (pos_INR k) as K0. rewrite S_INR.
+  { induction k as [|k IH]; [right; simpl; rewrite !Rmult_0_l; lra|]. pose proof (pos_INR k). rewrite S_INR.
     assert (0 <= INR k * W) by positive. replace ((INR k + 1) * W) with (INR k * W + W) by ring.
     destruct (Rle_dec l (E (INR k * W + W))) as [Hi|Lo]; [right|left; lra].
-    pose proof (spell_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb e l Hl) as Sp. unfold W in *. rewrite (Rabs_pos_eq _ Sp) in *.
-    pose proof (toll_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H e l (INR k * spell m1 m2 a2 b e l) Hl ltac:(lra)) as Q.
-    assert (Be : E (INR k * spell m1 m2 a2 b e l) <= e) by (pose proof (Mono 0 (INR k * spell m1 m2 a2 b e l)
-      ltac:(lra)); lra). specialize (Q Be Hi).
-    change (E (INR k * spell m1 m2 a2 b e l + spell m1 m2 a2 b e l) <= E (INR k * spell m1 m2 a2 b e l) - d) in Q.
-    lra. }
-  destruct (Step n) as [|N]; auto. specialize (Pos (INR n * W)). lra.
+    pose proof (Mono 0 (INR k * W) ltac:(lra)).
+    pose proof (toll_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H e l (INR k * W) Hl ltac:(lra) ltac:(change (E
+      (INR k * W)
+      <= e); lra) Hi : E (INR k * W + W) <= E (INR k * W) - d) as Q. lra. }
+  pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x (INR n * W)) (v1 (INR n * W)) (v2 (INR n * W)) : 0 <= E (INR
+    n * W)).
+  destruct (Step n); [auto|lra].
 Qed.
 
 (** and by another one it has been on S0 below l *)
@@ -128,8 +128,8 @@ Proof.
   assert (D0 : 0 <= 2 * sqrt (2 * e * m2) / b) by positive.
   exists (T + 2 * sqrt (2 * e * m2) / b + (INR n + 1) * (2 * PI / o1)). split; [lra|]. intros x v1 v2 s H HE.
   set (E := fun t => energy (x t) (v1 t) (v2 t)). change (E 0 <= e) in HE.
-  assert (Mono : forall r t, 0 <= r <= t -> E t <= E r).
-  { intros r t Hr. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H r t Hr). }
+  assert (Mono : forall r t, 0 <= r <= t -> E t <= E r)
+    by exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H).
   pose proof (Set_ x v1 v2 s H HE) as ET. change (E T <= l) in ET.
   destruct (contact m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb x v1 v2 s T H HT) as (tc & Htc & Ev).
   change (Pair.energy m1 m2 a2 (x T) (v1 T) (v2 T)) with (E T) in Htc.
