@@ -108,9 +108,7 @@ Proof.
     - assert (0 <= p n) by (rewrite <- P0; apply (times_within (S n) p); [apply Step|lia]).
       rewrite Pn in Hn, Mo. destruct (Side (p n) t ltac:(lra) ltac:(lra) Mo) as (e & He & K). smaller e (t - p n).
       intros r Hr Nr E. apply Rabs_def2 in Nr as Nr'. apply K; auto; lra. }
-  destruct Before as (e & He & K2). exists (Rmin e (Rmin d d1)). pose proof (Rmin_l e (Rmin d d1)).
-  pose proof (Rmin_r e (Rmin d d1)). pose proof (Rmin_l d d1). pose proof (Rmin_r d d1).
-  split; [repeat apply Rmin_glb_lt; auto|]. intros r Hr Ne N E. apply Rabs_def2 in N as N'.
+  destruct Before as (e & He & K2). smaller e (Rmin d d1). intros r Hr Ne N E. apply Rabs_def2 in N as N'.
   destruct (Rtotal_order r t) as [L|[L|L]]; [apply K2; auto; lra|lra|apply K1; auto; lra].
 Qed.
 End Edges.

@@ -73,8 +73,7 @@ Proof.
   { generalize (almost_and _ _ almost_later (almost_and _ _ (almost_not (2 * tau)) (almost_not tau))).
     apply almost_impl. intros t _ (Pt & N2 & N1). split; [auto|]. destruct (side_near (2 * tau) t N2) as (d2 & Hd2 & K2).
     destruct (side_near tau t N1) as (d1 & Hd1 & K1). destruct (side_near 0 t ltac:(lra)) as (d & Hd & K).
-    exists (Rmin d (Rmin d1 d2)). pose proof (Rmin_l d (Rmin d1 d2)). pose proof (Rmin_r d (Rmin d1 d2)).
-    pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2). split; [repeat apply Rmin_glb_lt; auto|]. intros r Hr.
+    smaller d (Rmin d1 d2). intros r Hr.
     destruct (K r ltac:(lra)) as (S & B), (K1 r ltac:(lra)) as (S1 & B1), (K2 r ltac:(lra)) as (S2 & B2).
     unfold c, v, push, bang. rewrite S, S1, S2, B, B1, B2. split; field. }
   assert (Bc : forall t, 0 <= t -> Rabs (c t) <= Rabs A).

@@ -40,11 +40,10 @@ Proof.
   intros HE He. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Ep : 0 < Ecr) by (apply Ecr_pos; auto).
   set (q := m1 / (m1 + m2)). assert (Q : 0 < q) by positive. set (d := Rmin (Rmin e (4 / 9 * q)) (E0 / Ecr - 1)).
   assert (Hd : 0 < d /\ d <= e /\ d <= 4 / 9 * q /\ Ecr * (1 + d) <= E0).
-  { assert (K : 0 < E0 / Ecr - 1). { assert (1 < E0 / Ecr); [|lra]. undivide Ecr. lra. }
-    assert (d <= Rmin e (4 / 9 * q)) by apply Rmin_l. assert (Rmin e (4 / 9 * q) <= e) by apply Rmin_l.
-    assert (Rmin e (4 / 9 * q) <= 4 / 9 * q) by apply Rmin_r. assert (d <= E0 / Ecr - 1) by apply Rmin_r.
-    split; [repeat apply Rmin_glb_lt; lra|]. repeat split; try lra.
-    replace E0 with (Ecr * (1 + (E0 / Ecr - 1))) by (field; lra). scale. }
+  { assert (K : 0 < E0 / Ecr - 1) by (apply Rlt_Rminus; undivide Ecr; lra).
+    min_bounds (Rmin (Rmin e (4 / 9 * q)) (E0 / Ecr - 1)). unfold d. split; [positive|].
+    repeat split; try lra.
+    apply Rle_trans with (Ecr * (1 + (E0 / Ecr - 1))); [scale; lra|right; field; lra]. }
   assert (EL : Ecr = a2 * L ^ 2 / 2) by (apply Ecr_L; auto). assert (HL : 0 < b / a2 <= L).
   { split; [positive|]. undivide (a2 * m2). replace (b / a2 * (a2 * m2)) with (b * m2) by (field; lra). nra. }
   set (v := sqrt ((2 * (Ecr * (1 + d)) - a2 * (b / a2) ^ 2) / (m1 + m2))).
