@@ -127,7 +127,7 @@ Qed.
 (** so crossings end: by induction on how many the energy can still pay *)
 Lemma returns_paid e n : 0 < e -> forall k d u t0, k = 1 \/ k = -1 -> 0 <= t0 -> (0 < d \/ (d = 0 /\ 0 < u)) ->
   at_gap m1 m2 a2 b k d u x v1 v2 t0 -> E t0 <= e -> E t0 < INR n * least_cost e -> exists t,
-    first_reentry L x v1 v2 t0 t /\ t <= t0 + (INR n + 1) * (2 * PI / o1).
+    first_reentry L x v1 v2 t0 t /\ t <= t0 + INR n * (2 * PI / o1).
 Proof.
   intros Hep. induction n as [|n IH]; intros k d u t0 Hk Ht Hd HG He En.
   { pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t0) (v1 t0) (v2 t0)). unfold E in *. simpl in En. lra. }

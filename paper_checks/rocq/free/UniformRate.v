@@ -123,9 +123,9 @@ Proof.
   pose proof (least_cost_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb e He) as C. set (c := least_cost m1 m2 a2 b e) in *.
   destruct (nat_above e c C) as (n & Hn).
   assert (O : 0 < o1) by (apply o1_pos; auto). pose proof PI_RGT_0 as P0. pose proof (pos_INR n) as N0.
-  assert (R0 : 0 <= (INR n + 1) * (2 * PI / o1)) by positive.
+  assert (R0 : 0 <= INR n * (2 * PI / o1)) by positive.
   assert (D0 : 0 <= 2 * sqrt (2 * e * m2) / b) by positive.
-  exists (T + 2 * sqrt (2 * e * m2) / b + (INR n + 1) * (2 * PI / o1)). split; [lra|]. intros x v1 v2 s H HE.
+  exists (T + 2 * sqrt (2 * e * m2) / b + INR n * (2 * PI / o1)). split; [lra|]. intros x v1 v2 s H HE.
   set (E := fun t => energy (x t) (v1 t) (v2 t)). change (E 0 <= e) in HE.
   assert (Mono : forall r t, 0 <= r <= t -> E t <= E r)
     by exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H).
