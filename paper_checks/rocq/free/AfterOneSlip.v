@@ -4,23 +4,15 @@ From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap
 
 Section Cross.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let M := m1 + m2.
-Let q := m1 / M.
-Let r := m2 / M.
-Let om := omega m1 m2 a2.
-Let o1 := o1 m1 a2.
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
+Context (M := m1 + m2) (q := m1 / M) (r := m2 / M) (om := omega m1 m2 a2) (o1 := o1 m1 a2)
+  (L := L m1 m2 a2 b) (Ecr := Ecr m1 m2 a2 b).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Let sticks t := forall u, 0 <= u -> v1 (t + u) = v2 (t + u).
 
-Let q0 : 0 < q. Proof. apply q_pos; auto. Qed.
-Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
-Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
-Let O0 : 0 < o1. Proof. apply o1_pos; auto. Qed.
-Let Emono t u : 0 <= t <= u -> E u <= E t.
-Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). Qed.
+Context (q0 : 0 < q := q_pos m1 m2 Hm1 Hm2) (L0 : 0 < L := L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)
+  (E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) (O0 : 0 < o1 := o1_pos m1 a2 Hm1 Ha2).
+Let Emono t u : 0 <= t <= u -> E u <= E t := E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t u.
 
 Let level_le y : Ecr * (1 + q * y) <= Ecr <-> y <= 0.
 Proof. assert (P : 0 < Ecr * q) by positive. split; nra. Qed.
@@ -82,11 +74,11 @@ Theorem merges_at_first_landing k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < P
   E t1 = Ecr * (1 + q * (hh p ^ 2 - r * depth p ^ 2)) /\
   (sticks t1 <-> hh p ^ 2 <= r * depth p ^ 2) /\ (hh p ^ 2 <= r * depth p ^ 2 -> depth p <= 2 / q).
 Proof.
-  intros Hk Ht Hp HR t1. apply ray_gap in HR. rewrite <- push_0 in HR. assert (T0 : 0 < 2 * p / o1) by positive.
-  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 0 p Hk H Ht (Rle_refl 0) Hp HR) as (_ & Sg & A & B &
-    C & En). fold o1 t1 in Sg, A, B, C, En. rewrite Rplus_0_r in A, B, C. rewrite level_0 in En by auto.
-  fold M in A, En. fold q L in A. assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra).
-  change (E t1 = Ecr * (1 + q * (hh p ^ 2 - r * depth p ^ 2))) in En. set (y := hh p ^ 2 - r * depth p ^ 2) in *.
+  intros Hk Ht Hp HR t1. assert (T0 : 0 < 2 * p / o1) by positive.
+  destruct (ray_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hp HR) as (Sg & Ev & A & _ & En).
+  change (E t1 = Ecr * (1 + q * (hh p ^ 2 - r * depth p ^ 2))) in En. fold o1 t1 L M in Sg, Ev, A.
+  fold q in A.
+set (y := hh p ^ 2 - r * depth p ^ 2) in *.
   assert (Iff : E t1 <= Ecr <-> hh p ^ 2 <= r * depth p ^ 2) by (rewrite En, level_le; unfold y; split; intros; lra).
   repeat (split; [auto; fail|]). split; [rewrite sticks_iff; auto; unfold t1; lra|].
   (* E <= E_cr on S forces the place into [-L, L] *)

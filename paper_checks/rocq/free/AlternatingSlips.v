@@ -2,6 +2,7 @@
     h^2. *)
 From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction Cycle MergingAngles SlipFromGap
   AlternatingAngles AfterOneSlip.
+From InertialPair Require ExcursionShape.
 
 (** (c), the algebra: the level is a quadratic in D; its least value is positive if 1 - 2 h k < q h^2 *)
 Lemma level_pos m1 m2 p d : 0 < m1 -> 0 < m2 -> 1 - 2 * hh p * ct p < m1 / (m1 + m2) * hh p ^ 2 -> 0 < level m1 m2 p d.
@@ -22,33 +23,24 @@ Theorem alternation m1 m2 a2 b x v1 v2 s k t0 d p pc : 0 < m1 -> 0 < m2 -> 0 < a
   exists p', 0 < p' < PI /\ 0 < d' /\ at_gap m1 m2 a2 b (- k) d' (push d' p') x v1 v2 t1 /\
     (pc <= p -> p' <= PI - pc) /\ (p <= PI - pc -> pc <= p').
 Proof.
-  intros H1 H2 Ha Hb q Hpc Dc HK Hk H Ht Hd Hp HG HD t1 d'. assert (Q : 0 < q) by positive.
+  intros H1 H2 Ha Hb q Hpc Dc HK Hk H Ht Hd Hp HG HD t1 d'.
   destruct (crossing m1 m2 a2 b H1 H2 Ha Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG HD)
     as (D0 & _ & G & _ & p' & Hp' & E & _). rewrite <- E in G. exists p'. repeat (split; [auto; fail|]).
   assert (HP : 0 <= Pf pc) by (apply P_sign; auto). split; intros I.
   - exact (long_to_short q pc Hpc Dc d p p' HP Hd (conj I (proj2 Hp)) Hp' E).
-  - exact (short_to_long q pc Q Hpc Dc d p p' HP (conj (proj1 Hp) I) (Rlt_le _ _ HD) Hp' E).
+  - exact (short_to_long q pc Hpc Dc d p p' HP (conj (proj1 Hp) I) (Rlt_le _ _ HD) Hp' E).
 Qed.
 
 (** from a ray only a long slip crosses *)
 Lemma crosses_long q p pc : 0 < pc < PI -> depth pc = 2 / q -> 0 < p < PI -> (2 / q < depth p <-> pc < p).
-Proof.
-  intros Hpc Dc Hp. pose proof (depth_incr p pc). pose proof (depth_incr pc p).
-  destruct (Rtotal_order p pc) as [L|[->|L]]; split; lra.
-Qed.
+Proof. intros Hpc <- Hp. apply (rising_iff PI depth pc p depth_incr Hpc Hp). Qed.
 
 (** pc exists, between pi/2 and pi *)
 Lemma pc_ex q : 0 < q < 1 -> exists pc, PI / 2 < pc < PI /\ depth pc = 2 / q.
 Proof.
-  intros Hq. pose proof PI2_3_2. set (F := fun p => q * (sin p - p * cos p) - sin p).
-  destruct (cont_IVT F (PI / 2) PI) as (z & Hz & Z).
-  - apply cont_of_derive with (fun p => q * (p * sin p) - cos p). intros t. unfold F. auto_derive; auto. ring.
-  - lra.
-  - unfold F. rewrite sin_PI2, cos_PI2, sin_PI, cos_PI. assert (0 < (1 - q) * (q * PI)) by positive. lra.
-  - exists z. assert (z <> PI). { intros ->. unfold F in Z. rewrite sin_PI, cos_PI in Z.
-    assert (0 < q * PI) by positive. lra. }
-    assert (z <> PI / 2). { intros ->. unfold F in Z. rewrite sin_PI2, cos_PI2 in Z. lra. }
-    split; [lra|]. pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)). unfold F in Z. unfold depth.
-    replace (sin z - z * cos z) with (sin z / q); [field; lra|]. apply Rmult_eq_reg_l with q; [|lra].
-      replace (q * (sin z / q)) with (sin z) by (field; lra). lra.
+  intros Hq. destruct (ExcursionShape.depth_ex (2 / q)) as (p & Hp & E); [positive|]. exists p.
+  pose proof PI_RGT_0. assert (D : depth (PI / 2) = 2) by (unfold depth; rewrite sin_PI2, cos_PI2; field).
+  assert (1 < / q) by (rewrite <- Rinv_1; apply Rinv_lt_contravar; lra).
+  assert (PI / 2 < p) by (apply (proj2 (rising_iff PI depth (PI / 2) p depth_incr ltac:(lra) Hp)); lra).
+  split; [lra|auto].
 Qed.

@@ -10,8 +10,7 @@ Definition case_study b (x v1 v2 : R -> R) t := exists a a' : R, is_derive x t (
 
 Section CaseStudy.
 Context (b : R) (Hb : 0 < b).
-Let no_force := fun _ : R => 0.
-Let law := filippov 1 1 0 200 b no_force.
+Context (no_force := fun _ : R => 0) (law := filippov 1 1 0 200 b no_force).
 
 (** [case-study-reduction] Case study: (3), (4) at one time are (11) and, in slip or where $|x_1|<b/100$, (12); with
     $v_1=v_2$ body 2 has no acceleration where $|x_1|>b/100$, and half of body 1's where $|x_1|=b/100$. *)
@@ -55,24 +54,20 @@ Qed.
 (** *** A stick that is kept wherever the velocities are equal *)
 Definition kept (v1 v2 : R -> R) := forall r t, 0 <= r <= t -> v1 r = v2 r -> v1 t = v2 t.
 
-Lemma ac_mult f g : ac f -> ac g -> ac (fun t => f t * g t).
+Lemma ac_square f : ac f -> ac (fun t => f t * f t).
 Proof.
-  intros F G T HT e He. destruct (cont_bounded f T (cont_ac f F) HT) as (A & HA).
-  destruct (cont_bounded g T (cont_ac g G) HT) as (B & HB). pose proof (HA 0 ltac:(lra)) as A0.
-  pose proof (HB 0 ltac:(lra)) as B0. pose proof (Rabs_pos (f 0)). pose proof (Rabs_pos (g 0)). set (k := A + B + 1).
-  assert (Hk : 0 < e / k) by positive. destruct (F T HT _ Hk) as (d1 & H1 & K1).
-  destruct (G T HT _ Hk) as (d2 & H2 & K2). smaller d1 d2. intros l C L. specialize (K1 l C ltac:(lra)).
-  specialize (K2 l C ltac:(lra)). assert (M : forall l lo, 0 <= lo -> chain l lo T -> moves (fun t => f t * g t) l <= B
-    * moves f l + A * moves g l /\ 0 <= moves f l /\ 0 <= moves g l).
-  { clear l C L K1 K2. induction l as [|(p, q) l IH]; simpl; intros lo Hlo C; [lra|]. destruct C as (Hp & C).
-    pose proof (chain_le _ _ _ C). destruct (IH q ltac:(lra) C) as (I1 & I2 & I3).
-    pose proof (Rabs_pos (f q - f p)). pose proof (Rabs_pos (g q - g p)).
-    assert (Rabs (f q * g q - f p * g p) <= B * Rabs (f q - f p) + A * Rabs (g q - g p)); [|lra].
-    replace (f q * g q - f p * g p) with (g q * (f q - f p) + f p * (g q - g p)) by ring.
-    eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. pose proof (HB q ltac:(lra)). pose proof (HA p ltac:(lra)).
-    apply Rplus_le_compat; apply Rmult_le_compat_r; auto. }
-  destruct (M l 0 ltac:(lra) C) as (M1 & M2 & M3). assert (e = k * (e / k)) by (field; unfold k; lra).
-  assert (k = A + B + 1) by auto. nra.
+  intros F T HT e He. destruct (cont_bounded f T (cont_ac f F) HT) as (A & HA). pose proof (HA 0 ltac:(lra)).
+  pose proof (Rabs_pos (f 0)). set (k := 2 * A + 1). assert (Hk : 0 < e / k) by (unfold k; positive).
+  destruct (F T HT _ Hk) as (d & Hd & K). exists d. split; auto. intros l C L. specialize (K l C L).
+  assert (M : forall l lo, 0 <= lo -> chain l lo T -> moves (fun t => f t * f t) l <= k * moves f l).
+  { clear l C L K. induction l as [|(p, q) l IH]; simpl; intros lo Hlo C; [lra|]. destruct C as (Hp & C).
+    pose proof (chain_le _ _ _ C). specialize (IH q ltac:(lra) C).
+    assert (Rabs (f q * f q - f p * f p) <= k * Rabs (f q - f p)); [|lra].
+    replace (f q * f q - f p * f p) with ((f q + f p) * (f q - f p)) by ring. rewrite Rabs_mult.
+    apply Rmult_le_compat_r; [apply Rabs_pos|]. eapply Rle_trans; [apply Rabs_triang|].
+    pose proof (HA q ltac:(lra)).
+    pose proof (HA p ltac:(lra)). unfold k. lra. }
+  specialize (M l 0 ltac:(lra) C). apply Rle_div_r in K; unfold k in *; lra.
 Qed.
 
 (** Coulomb's law until a time: one motion *)
@@ -85,7 +80,7 @@ Proof.
   set (D := fun t => 200 * ((x t - y t) * (x t - y t)) + ((v1 t - w1 t) * (v1 t - w1 t) + (v2 t - w2 t) * (v2 t - w2 t))).
   assert (Sub : forall f g, ac f -> ac g -> ac (fun t => f t - g t)).
   { intros f g F G. apply ac_ext with (fun t => f t + -1 * g t); [intros; ring|]. apply ac_plus, ac_scal; auto. }
-  assert (AD : ac D) by (unfold D; repeat apply ac_plus; try apply ac_scal; apply ac_mult; auto).
+  assert (AD : ac D) by (unfold D; repeat apply ac_plus; try apply ac_scal; apply ac_square; auto).
   destruct (almost_and _ _ (almost_not T) In T HT) as (N & HN & Q).
   assert (Le : - D 0 <= - D t).
   { apply (ac_grows (fun t => -1 * D t) (fun t => Derive (fun t => -1 * D t) t) N 0 t) in HN; [lra|apply ac_scal; auto|lra|].

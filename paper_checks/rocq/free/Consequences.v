@@ -6,8 +6,7 @@ From InertialPair Require Import ReturnToS0 SwitchingSurface Interface.
 
 Section Free.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
+Context (L := L m1 m2 a2 b) (Ecr := Ecr m1 m2 a2 b).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let w t := v1 t - v2 t.
 Let CW : cont w.
@@ -26,8 +25,7 @@ Lemma ends_left t t1 : 0 <= t < t1 -> w t1 = 0 -> (forall u, t <= u < t1 -> w u 
 Proof.
   intros Ht Z Neg. destruct (Rle_dec (x t1) L) as [|N]; auto.
   destruct (s_cx _ _ _ _ _ _ _ _ _ H t1 ltac:(lra) (x t1 - L) ltac:(lra)) as (d & Hd & K).
-  set (u := Rmax t (t1 - d / 2)). assert (Hu : t <= u < t1 /\ t1 - d / 2 <= u) by (unfold u; pose proof (Rmax_l t (t1 -
-    d / 2)); pose proof (Rmax_r t (t1 - d / 2)); split; [split; [lra|apply Rmax_lub_lt; lra]|lra]).
+  destruct (just_before t t1 d) as (u & Hu & Near); [lra|auto|].
   assert (F : w t1 <= w u).
   { apply (rderiv_mono w u t1 (fun r => normal_rate m1 m2 a2 b (-1) (x r)) CW); [lra|]. split.
     - apply (rate_below m1 m2 a2 b Hm1 Hm2 x v1 v2 s H r); [lra|]. pose proof (Neg r ltac:(lra)) as Q.

@@ -4,12 +4,8 @@ From InertialPair Require Import Dini Pair Stick Excursion FollowArc.
 
 Section Cycle.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let M := m1 + m2.
-Let q := m1 / M.
-Let r := m2 / M.
-Let om := omega m1 m2 a2.
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
+Context (M := m1 + m2) (q := m1 / M) (r := m2 / M) (om := omega m1 m2 a2) (L := L m1 m2 a2 b)
+  (Ecr := Ecr m1 m2 a2 b).
 
 (** o1: frequency of the slip; ray u: speed on the exit ray in the reduced unit, so that E = E_cr (1 + q u^2) there *)
 Definition o1 := sqrt (a2 / m1).
@@ -31,16 +27,7 @@ Proof. unfold om, M. rewrite (omega_sq m1 m2 a2) by auto. field; lra. Qed.
 Lemma L_o1 : L = b * M / (m1 * (o1 * o1) * m2).
 Proof. unfold L. rewrite o1_sq at 1. auto. Qed.
 
-(** E = E_cr (1 + q u^2) on the surface at x = +-L exactly for the speed ray u *)
-Lemma level_speed v u : energy m1 m2 a2 L v v = Ecr * (1 + q * u ^ 2) -> v ^ 2 = ray u ^ 2.
-Proof.
-  intros E. unfold Ecr in E. rewrite Ecr_L in E by auto. fold L in E. pose proof o1_pos.
-  assert (Z : M / 2 * (v ^ 2 - ray u ^ 2) = 0).
-  { replace (M / 2 * (v ^ 2 - ray u ^ 2)) with (energy m1 m2 a2 L v v - (a2 * L ^ 2 / 2 + M / 2 * ray u ^ 2)) by
-    (unfold energy, M; field).
-    rewrite E. unfold ray. rewrite L_o1. rewrite o1_sq. unfold q, M. field. repeat split; lra. }
-  assert (0 < M) by positive. nra.
-Qed.
+(** the level of the speed ray u on the surface at x = +-L *)
 Lemma ray_level u : energy m1 m2 a2 L (ray u) (ray u) = Ecr * (1 + q * u ^ 2).
 Proof.
   unfold Ecr. rewrite Ecr_L by auto. fold L. pose proof o1_pos. unfold energy, ray. rewrite L_o1. rewrite o1_sq.

@@ -6,12 +6,18 @@ From InertialPair Require Import Dini Excursion ReturnMap AlternatingAngles Rate
 Definition delay r p := let s := (depth p / hh p) ^ 2 in let q := 1 - r in
   sqrt q * (2 * p) - atan (sqrt q * (hh p * sqrt (1 - r * s))) - atan (sqrt q * (2 * p - hh p) / (1 - q * depth p)).
 
+(** at the angle of a quarter turn *)
+Lemma quarter : hh (PI / 4) = PI / 2 - 1 /\ depth (PI / 4) = 2 - PI / 2.
+Proof.
+  unfold hh, depth. rewrite sin_PI4, cos_PI4. assert (S2 : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
+  assert (0 < sqrt 2) by positive. split; [|field; lra].
+  assert (S4 : 1 / sqrt 2 * (1 / sqrt 2) = / 2) by (field_simplify_eq; [nra|lra]).
+  replace ((1 / sqrt 2) ^ 2) with (1 / sqrt 2 * (1 / sqrt 2)) by ring. rewrite S4. field.
+Qed.
+
 Section HalfTurn.
 Context (r p : R) (Hr : 0 < r < 1) (Hp : 0 < p <= PI / 4).
-Let q := 1 - r.
-Let a := sqrt q.
-Let u := hh p.
-Let c := depth p.
+Context (q := 1 - r) (a := sqrt q) (u := hh p) (c := depth p).
 (** place and momentum of the pair in a slip, by its angle, and what the slip has cost *)
 Let x t := r + q * (cos t + u * sin t).
 Let m t := a * (q * (u * cos t - sin t) + r * (u - t)).
@@ -22,14 +28,10 @@ Proof. split; [apply sqrt_lt_R0; unfold q; lra|]. rewrite <- sqrt_1. apply sqrt_
 Let p_pi : 0 < p < PI. Proof. lra. Qed.
 Let small : 0 < u <= 2 / 3 /\ 0 < c <= / 2.
 Proof.
-  pose proof PI2_3_2. pose proof (hh_pos p p_pi). pose proof (depth_pos p p_pi). assert (PI <= 10 / 3) by apply pi_below.
-  assert (S2 : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra). assert (0 < sqrt 2) by positive.
-  assert (S4 : sin (PI / 4) ^ 2 = / 2) by (rewrite sin_PI4; field_simplify_eq; [nra|lra]).
-  assert (S : 0 < sin (PI / 4)) by (rewrite sin_PI4; positive). assert (CS : cos (PI / 4) = sin (PI / 4)) by (rewrite cos_PI4, sin_PI4; auto).
-  assert (E1 : hh (PI / 4) = PI / 2 - 1) by (unfold hh; rewrite CS, S4; replace (sin (PI / 4) * sin (PI / 4)) with (sin (PI / 4) ^ 2) by ring; rewrite S4; field).
-  assert (E2 : depth (PI / 4) = 2 - PI / 2) by (unfold depth; rewrite CS; field; lra). unfold u, c.
-  destruct (Req_dec p (PI / 4)) as [->|N]; [lra|]. pose proof (hh_incr p (PI / 4) ltac:(lra) ltac:(lra) ltac:(lra)).
-  pose proof (depth_incr p (PI / 4) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+  pose proof (hh_pos p p_pi). pose proof (depth_pos p p_pi). pose proof pi_below.
+  destruct quarter as (E1 & E2).
+  pose proof PI2_3_2. pose proof (rising_le PI hh p (PI / 4) hh_incr ltac:(lra) ltac:(lra) ltac:(lra)).
+  pose proof (rising_le PI depth p (PI / 4) depth_incr ltac:(lra) ltac:(lra) ltac:(lra)). unfold u, c. lra.
 Qed.
 
 (** the slip goes on up to its angle, and the place stays above half of that of the ray *)
@@ -37,9 +39,8 @@ Lemma on_the_way t : 0 <= t <= 2 * p -> 0 <= u * (1 - cos t) - (t - sin t) /\ / 
 Proof.
   intros Ht. destruct (Req_dec t 0) as [->|N]. { unfold x. rewrite cos_0, sin_0. unfold q. lra. } set (v := t / 2).
   replace t with (2 * v) in * by (unfold v; field). pose proof (sin_gt_0 v ltac:(lra) ltac:(lra)) as S.
-  pose proof (cos_ge_0 v ltac:(lra) ltac:(lra)) as Cv. assert (Le : hh v <= u /\ depth v <= c).
-  { destruct (Req_dec v p) as [->|]; [unfold u, c; lra|].
-    pose proof (hh_incr v p ltac:(lra) ltac:(lra) ltac:(lra)). pose proof (depth_incr v p ltac:(lra) ltac:(lra) ltac:(lra)). unfold u, c. lra. }
+  pose proof (cos_ge_0 v ltac:(lra) ltac:(lra)) as Cv. assert (Le : hh v <= u /\ depth v <= c)
+    by (split; [apply (rising_le PI hh v p hh_incr)|apply (rising_le PI depth v p depth_incr)]; lra).
   assert (E1 : hh v * (2 * sin v * sin v) = 2 * (v - sin v * cos v)) by (unfold hh; field; lra).
   assert (E2 : hh v * (2 * sin v * cos v) = 2 * sin v * sin v - depth v).
   { unfold hh, depth. trig v. }

@@ -5,10 +5,8 @@ Section Dichotomy.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 
-Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
-Let X := X m1 m2 a2.
-Let V := V m1 m2 a2.
-Let distance x0 v0 t := energy m1 m2 a2 (x t - X x0 v0 t) (v1 t - V x0 v0 t) (v2 t - V x0 v0 t).
+Context (E := fun t => energy m1 m2 a2 (x t) (v1 t) (v2 t)) (X := X m1 m2 a2) (V := V m1 m2 a2)
+  (distance := fun x0 v0 t => energy m1 m2 a2 (x t - X x0 v0 t) (v1 t - V x0 v0 t) (v2 t - V x0 v0 t)).
 
 (** [convergence] Every solution tends to one stuck motion. *)
 Theorem convergence : exists x0 v0, energy m1 m2 a2 x0 v0 v0 <= Ecr m1 m2 a2 b /\

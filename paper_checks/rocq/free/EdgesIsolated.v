@@ -13,8 +13,7 @@ Lemma cont_F f g : cont f -> cont g -> cont (F f g).
 Proof. intros. apply cont_scal, cont_plus; apply cont_scal; auto. Qed.
 Lemma rate_F f g f' g' r : rderiv f r (f' r) -> rderiv g r (g' r) -> rderiv (F f g) r (F f' g' r).
 Proof. intros. apply rderiv_scal, rderiv_plus; apply rderiv_scal; auto. Qed.
-Let A := F x v1.
-Let J := F v1 A.
+Context (A := F x v1) (J := F v1 A).
 
 (** in a stick from p to q *)
 Lemma edge_once p q t k : 0 <= p -> (forall r, p < r < q -> v1 r = v2 r) -> p <= t <= q -> k = 1 \/ k = -1 ->
@@ -109,9 +108,7 @@ Proof.
     - assert (0 <= p n) by (rewrite <- P0; apply (times_within (S n) p); [apply Step|lia]).
       rewrite Pn in Hn, Mo. destruct (Side (p n) t ltac:(lra) ltac:(lra) Mo) as (e & He & K). smaller e (t - p n).
       intros r Hr Nr E. apply Rabs_def2 in Nr as Nr'. apply K; auto; lra. }
-  destruct Before as (e & He & K2). exists (Rmin e (Rmin d d1)). pose proof (Rmin_l e (Rmin d d1)).
-  pose proof (Rmin_r e (Rmin d d1)). pose proof (Rmin_l d d1). pose proof (Rmin_r d d1).
-  split; [repeat apply Rmin_glb_lt; auto|]. intros r Hr Ne N E. apply Rabs_def2 in N as N'.
+  destruct Before as (e & He & K2). smaller e (Rmin d d1). intros r Hr Ne N E. apply Rabs_def2 in N as N'.
   destruct (Rtotal_order r t) as [L|[L|L]]; [apply K2; auto; lra|lra|apply K1; auto; lra].
 Qed.
 End Edges.

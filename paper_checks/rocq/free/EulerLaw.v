@@ -1,6 +1,6 @@
 (** Forward Euler with any friction in [-b, b] that has the sign of the slip: its distance from the motion grows like
     sqrt (h t), with a constant that its own steps tell. *)
-From InertialPair Require Import Dini Pair.
+From InertialPair Require Import Dini Pair Rates.
 
 Section EulerLaw.
 Context (m1 m2 a1 a2 b h : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hh : 0 < h).
@@ -37,15 +37,12 @@ Section Step.
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 a1 a2 b x v1 v2 s).
 Variables X V1 V2 g C C' : R.
 Hypotheses (Hg : -1 <= g <= 1) (Hp : V2 < V1 -> g = 1) (Hn : V1 < V2 -> g = -1) (HC : 0 <= C) (HC' : 0 <= C').
-Let A1 := pull X V1 g.
-Let A2 := b * g / m2.
+Context (A1 := pull X V1 g) (A2 := b * g / m2).
 Hypotheses (Speed : a2 * V1 ^ 2 + m1 * A1 ^ 2 + m2 * A2 ^ 2 <= C ^ 2)
   (Lip : forall r t, 0 <= r <= t -> a2 * (x t - x r) ^ 2 + m1 * (v1 t - v1 r) ^ 2 + m2 * (v2 t - v2 r) ^ 2 <=
     (C' * (t - r)) ^ 2).
-Let dx t := X + t * V1 - x t.
-Let d1 t := V1 + t * A1 - v1 t.
-Let d2 t := V2 + t * A2 - v2 t.
-Let D t := energy m1 m2 a2 (dx t) (d1 t) (d2 t).
+Context (dx := fun t => X + t * V1 - x t) (d1 := fun t => V1 + t * A1 - v1 t)
+  (d2 := fun t => V2 + t * A2 - v2 t) (D := fun t => energy m1 m2 a2 (dx t) (d1 t) (d2 t)).
 
 (** the distance from the motion along the chord grows at the rate t C (C + C') at most *)
 Lemma step_dini t : 0 <= t -> dini_le D t (t * (C * (C + C'))).
@@ -54,23 +51,18 @@ Proof.
   unfold rderiv in RX, RV. set (ex := fun k => x (t + k) - x t - v1 t * k) in *.
   set (ev := fun k => m1 * v1 (t + k) + b * s (t + k) - (m1 * v1 t + b * s t) - - (a2 * x t + a1 * v1 t) * k) in *.
   set (ds := fun k => s (t + k) - s t).
-  set (Dx := fun k => k * V1 - (x (t + k) - x t)). set (D1 := fun k => k * A1 - (v1 (t + k) - v1 t)).
-  set (D2 := fun k => k * A2 - (v2 (t + k) - v2 t)).
-  pose proof (solution_moving _ _ _ _ _ _ _ _ _ H) as Hm.
+  (* how far the chord and the motion go apart *)
+  set (Dx := fun k => (V1 - v1 t) * k - ex k).
+  set (D1 := fun k => (A1 + (a2 * x t + a1 * v1 t) / m1) * k - / m1 * (ev k - b * ds k)).
+  set (D2 := fun k => A2 * k - b / m2 * ds k). pose proof (solution_moving _ _ _ _ _ _ _ _ _ H) as Hm.
   assert (Bs : big ds) by exact (moves_big _ _ _ _ _ _ _ _ _ _ _ Hm t Ht).
-  assert (W2 : forall k, 0 < k -> v2 (t + k) - v2 t = b / m2 * ds k)
-    by (intros k Hk; apply (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ Hm t (t + k)); lra).
-  assert (Bx : big Dx).
-  { apply big_ext with (fun k => (V1 - v1 t) * k - ex k); [intros; unfold Dx, ex; ring|].
-    apply big_minus; [apply big_scal, big_id|apply little_big; auto]. }
-  assert (B1 : big D1).
-  { apply big_ext with (fun k => (A1 + (a2 * x t + a1 * v1 t) / m1) * k - / m1 * (ev k - b * ds k)).
-    { intros; unfold D1, ev, ds. field. lra. }
-    apply big_minus; [apply big_scal, big_id|apply big_scal, big_minus; [apply little_big; auto|apply big_scal; auto]]. }
-  set (D2' := fun k => k * A2 - b / m2 * ds k).
-  assert (B2 : big D2').
-  { apply big_ext with (fun k => A2 * k - b / m2 * ds k); [intros; unfold D2'; ring|].
-    apply big_minus; [apply big_scal, big_id|apply big_scal; auto]. }
+  assert (Bd : big Dx /\ big D1 /\ big D2).
+  { pose proof (little_big _ RX). pose proof (little_big _ RV).
+    repeat split; repeat first [assumption | apply big_minus | apply big_scal | apply big_id]. }
+  assert (Dk : forall k, 0 < k -> Dx k = k * V1 - (x (t + k) - x t) /\ D1 k = k * A1 - (v1 (t + k) - v1 t) /\
+    D2 k = k * A2 - (v2 (t + k) - v2 t)).
+  { intros k Hk. pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ Hm t (t + k) Ht ltac:(lra)) as W2.
+    unfold Dx, D1, D2, ex, ev, ds. repeat split; [ring|field; lra|lra]. }
   set (w := v1 t - v2 t).
   assert (P1 : pushes (fun k => g * k) (V1 - V2) t).
   { split.
@@ -81,34 +73,33 @@ Proof.
   { split; [|apply (q_slip _ _ _ _ _ _ _ _ _ _ _ Hm t Ht)]. intros k Hk.
     pose proof (s_lip _ _ _ _ _ _ _ _ _ H t (t + k) ltac:(lra)) as L. apply Rabs_inv in L. lra. }
   destruct (friction_monotone _ _ _ _ t P1 P2 (e / (4 * b))) as (e1 & He1 & K1); [positive|].
-  set (rest := fun k => a2 / 2 * (Dx k * Dx k) + m1 / 2 * (D1 k * D1 k) + m2 / 2 * (D2' k * D2' k)
+  set (rest := fun k => a2 / 2 * (Dx k * Dx k) + m1 / 2 * (D1 k * D1 k) + m2 / 2 * (D2 k * D2 k)
     - a2 * (X - x t) * ex k - (V1 - v1 t) * ev k).
   assert (LR : little rest).
   { unfold rest. apply little_minus; [apply little_minus; [repeat apply little_plus|]|]; apply little_scal; auto;
-      apply big_mult; auto. }
+      apply big_mult; apply Bd. }
   destruct (LR (e / 4)) as (e2 & He2 & K2); [lra|]. smaller e1 e2. intros k Hk.
   specialize (K1 k ltac:(lra)). specialize (K2 k ltac:(lra)). apply Rabs_inv in K2.
-  assert (E2 : D2 k = D2' k) by (unfold D2, D2'; rewrite W2 by lra; ring).
+  destruct (Dk k ltac:(lra)) as (Ex & E1 & E2).
   assert (ID : D (t + k) - D t = rest k - a1 * (V1 - v1 t) ^ 2 * k - b * ((g * k - ds k) * (V1 - V2 - w))
     + t * (a2 * V1 * Dx k + m1 * A1 * D1 k + m2 * A2 * D2 k)).
-  { unfold D, energy. replace (dx (t + k)) with (dx t + Dx k) by (unfold dx, Dx; ring).
-    replace (d1 (t + k)) with (d1 t + D1 k) by (unfold d1, D1; ring).
-    replace (d2 (t + k)) with (d2 t + D2 k) by (unfold d2, D2; ring). rewrite E2.
+  { unfold D, energy. replace (dx (t + k)) with (dx t + Dx k) by (rewrite Ex; unfold dx; ring).
+    replace (d1 (t + k)) with (d1 t + D1 k) by (rewrite E1; unfold d1; ring).
+    replace (d2 (t + k)) with (d2 t + D2 k) by (rewrite E2; unfold d2; ring).
     assert (F1 : m1 * D1 k = - (a2 * (X - x t) + a1 * (V1 - v1 t)) * k - b * (g * k - ds k) - ev k).
-    { unfold D1, ev, ds, A1, pull. field. lra. }
-    assert (F2 : m2 * D2' k = b * (g * k - ds k)) by (unfold D2', A2; field; lra).
-    assert (F3 : Dx k = (V1 - v1 t) * k - ex k) by (unfold Dx, ex; ring).
-    transitivity (a2 * (X - x t) * Dx k + (V1 - v1 t) * (m1 * D1 k) + (V2 - v2 t) * (m2 * D2' k)
-      + t * (a2 * V1 * Dx k + m1 * A1 * D1 k + m2 * A2 * D2' k)
-      + (a2 / 2 * (Dx k * Dx k) + m1 / 2 * (D1 k * D1 k) + m2 / 2 * (D2' k * D2' k))).
+    { unfold D1, A1, pull. field. lra. }
+    assert (F2 : m2 * D2 k = b * (g * k - ds k)) by (unfold D2, A2; field; lra).
+    transitivity (a2 * (X - x t) * Dx k + (V1 - v1 t) * (m1 * D1 k) + (V2 - v2 t) * (m2 * D2 k)
+      + t * (a2 * V1 * Dx k + m1 * A1 * D1 k + m2 * A2 * D2 k)
+      + (a2 / 2 * (Dx k * Dx k) + m1 / 2 * (D1 k * D1 k) + m2 / 2 * (D2 k * D2 k))).
     { unfold dx, d1, d2. field. }
-    rewrite F1, F2. unfold rest. rewrite F3 at 1. unfold w. ring. }
+    rewrite F1, F2. unfold rest. change (Dx k) with ((V1 - v1 t) * k - ex k) at 1. unfold w. ring. }
   assert (CS : a2 * V1 * Dx k + m1 * A1 * D1 k + m2 * A2 * D2 k <= C * (C + C') * k).
   { assert (Q : a2 * V1 * - (x (t + k) - x t) + m1 * A1 * - (v1 (t + k) - v1 t) + m2 * A2 * - (v2 (t + k) - v2 t) <= C *
       (C' * k)).
     { apply energy_schwarz; auto; [apply Rmult_le_pos; lra|]. pose proof (Lip t (t + k) ltac:(lra)) as L. lra. }
     assert (S : k * (a2 * V1 ^ 2 + m1 * A1 ^ 2 + m2 * A2 ^ 2) <= k * C ^ 2) by (apply Rmult_le_compat_l; lra).
-    unfold Dx, D1, D2. lra. }
+    rewrite Ex, E1, E2. lra. }
   apply (Rmult_le_compat_l t) in CS; auto.
   assert (Mo : b * ((g * k - ds k) * (V1 - V2 - w)) >= - (e / 4) * k).
   { apply Rle_ge. replace (- (e / 4) * k) with (b * (- (e / (4 * b)) * k)) by (field; lra). apply Rmult_le_compat_l; [lra|].
@@ -121,12 +112,9 @@ Qed.
 Lemma step_grows : D h <= D 0 + h * (h * (C * (C + C')) / 2).
 Proof.
   set (c := C * (C + C')). assert (Cd : cont D).
-  { pose proof (solution_moving _ _ _ _ _ _ _ _ _ H) as Hm. assert (Ct : cont (fun t => t)) by (apply (lip_cont _ 1); [lra|];
-      intros r t Hr; rewrite Rabs_pos_eq; lra).
-    assert (cont dx) by (apply cont_minus; [apply cont_plus; [apply cont_const|apply cont_mult; auto using cont_const]|apply (s_cx _ _ _ _ _ _ _ _ _ H)]).
-    assert (cont d1) by (apply cont_minus; [apply cont_plus; [apply cont_const|apply cont_mult; auto using cont_const]|apply (s_cv _ _ _ _ _ _ _ _ _ H)]).
-    assert (cont d2) by (apply cont_minus; [apply cont_plus; [apply cont_const|apply cont_mult; auto using cont_const]|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ Hm)]).
-    apply energy_cont; auto. }
+  { pose proof (s_cx _ _ _ _ _ _ _ _ _ H). pose proof (s_cv _ _ _ _ _ _ _ _ _ H).
+    assert (cont v2) by exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ (solution_moving _ _ _ _ _ _ _ _ _ H)).
+    apply energy_cont; continuous. }
   assert (Q : D h - c / 2 * (h * h) <= D 0 - c / 2 * (0 * 0)); [|lra].
   apply (dini_mono (fun t => D t - c / 2 * (t * t))); [|lra|].
   - apply cont_minus; auto. apply cont_of_derive with (fun t => c * t). intros t. auto_derive; auto. field.

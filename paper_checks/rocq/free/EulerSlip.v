@@ -4,28 +4,19 @@ From InertialPair Require Import Dini Pair Forced Arcs Excursion EulerLaw.
 (** an arc of a circle against its tangent *)
 Lemma arc_tangent y : 0 <= y -> (1 - cos y) ^ 2 + (y - sin y) ^ 2 <= (y ^ 2 / 2) ^ 2.
 Proof.
-  intros Hy. assert (S : forall z, 0 <= z -> sin z <= z).
-  { intros z Hz. destruct (Req_dec z 0) as [->|N]; [rewrite sin_0; lra|]. apply Rlt_le, sin_lt_x. lra. }
-  assert (C : forall z, 0 <= z -> 1 - cos z <= z ^ 2 / 2).
-  { intros z Hz. cut (0 <= z ^ 2 / 2 - 1 + cos z); [lra|].
-    apply (from_zero (fun u => u ^ 2 / 2 - 1 + cos u) (fun u => u - sin u) z); [| | |lra].
-    - intros u; auto_derive; auto. field.
-    - intros u Hu. pose proof (S u ltac:(lra)). lra.
-    - rewrite cos_0. field. }
-  pose proof (sin2_cos2 y) as Q. unfold Rsqr in Q.
-  cut (0 <= y ^ 4 / 4 - 2 + 2 * cos y - y ^ 2 + 2 * (y * sin y)); [intros; nra|].
-  apply (from_zero (fun u => u ^ 4 / 4 - 2 + 2 * cos u - u ^ 2 + 2 * (u * sin u)) (fun u => u ^ 3 - 2 * u * (1 - cos u)) y); [| | |lra].
-  - intros u; auto_derive; auto. field.
-  - intros u Hu. pose proof (C u ltac:(lra)) as Cu. apply (Rmult_le_compat_l (2 * u)) in Cu; [|lra]. nra.
-  - rewrite cos_0. field.
+  assert (C : forall z, 0 <= z -> 1 - z ^ 2 / 2 <= cos z).
+  { from_zero z (fun u => u - sin u). intros u Hu. pose proof (sin_below u ltac:(lra)). lra. }
+  assert (Q : 0 <= y -> y ^ 2 - 2 * (y * sin y) <= y ^ 4 / 4 - 2 + 2 * cos y).
+  { from_zero y (fun u => u ^ 3 - 2 * u * (1 - cos u)). intros u Hu. pose proof (C u ltac:(lra)) as Cu.
+    apply (Rmult_le_compat_l (2 * u)) in Cu; lra. }
+  intros Hy. specialize (Q Hy). pose proof (sin2_cos2 y) as SC. unfold Rsqr in SC. nra.
 Qed.
 
 Section EulerSlip.
 Variables m1 m2 a2 b om h : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om) (Tuned : a2 = m1 * om ^ 2) (Hh : 0 <= h).
 Variables X V1 V2 g : R.
-Let A1 := pull m1 0 a2 b X V1 g.
-Let A2 := b * g / m2.
+Context (A1 := pull m1 0 a2 b X V1 g) (A2 := b * g / m2).
 
 (** the slip from the step's beginning, with its friction *)
 Definition slip_x t := X + V1 / om * sin (om * t) + A1 / om ^ 2 * (1 - cos (om * t)).

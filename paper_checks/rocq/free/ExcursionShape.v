@@ -1,7 +1,8 @@
 (** The shape of an excursion by its angle: h increases from 0 to infinity and is convex, the depth c increases with it
     from 0 to infinity and is concave in h^2; which slips end where, and by which ray the pair leaves next. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle SharpRate SlipFromGap SharpLaw.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle SlipFromGap ExitOrbit
+  SharpRate AlternatingAngles SharpLaw.
 
 (** *** h *)
 (** its rate *)
@@ -22,11 +23,7 @@ Lemma h1_pos u : 0 < u < 2 * PI -> 0 < h1 u.
 Proof. intros Hu. apply Rdiv_lt_0_compat; [apply N_pos; auto|apply pow_lt, one_cos; auto]. Qed.
 Lemma h2_pos u : 0 < u < 2 * PI -> 0 < h2 u.
 Proof.
-  intros Hu. apply Rdiv_lt_0_compat; [|apply pow_lt, one_cos; auto].
-  apply Rle_lt_trans with (u / 2 * (2 + cos (u / 2)) - 3 * sin (u / 2)); [pose proof (cusa (u / 2) ltac:(lra)); lra|].
-  apply (incr_function (fun u => u * (2 + cos u) - 3 * sin u) 0 (2 * PI) (fun u => 2 - 2 * cos u - u * sin u)); try (simpl; lra).
-  - intros t _ _. auto_derive; auto. ring.
-  - intros t T0 T1. simpl in T0, T1. apply N_pos. lra.
+  intros Hu. apply Rdiv_lt_0_compat; [pose proof (cusa_strict u Hu); lra|apply pow_lt, one_cos; auto].
 Qed.
 Lemma h_small u : 0 < u <= PI -> h u <= u.
 Proof. intros Hu. pose proof (one_cos u ltac:(lra)). undivide (1 - cos u). pose proof (g_nonneg u ltac:(lra)). lra. Qed.
@@ -42,18 +39,30 @@ Qed.
 Lemma h_pos u : 0 < u < 2 * PI -> 0 < h u.
 Proof. intros Hu. replace u with (2 * (u / 2)) by field. rewrite <- hh_h by lra. apply hh_pos. lra. Qed.
 
-(** every value between those at two angles is taken at one, and only one, by a function that rises *)
-Lemma one_angle (f : R -> R) y : (forall u v, 0 < u -> u < v -> v < 2 * PI -> f u < f v) -> (exists u, 0 < u < 2 * PI /\ f u = y) ->
+Lemma c_increases : rising (2 * PI) c.
+Proof. intros u v Hu L Hv. apply (climbs c h); [auto| |]; intros t Ht; [apply c_derive|apply h_pos]; lra. Qed.
+(** every value that is taken at an angle is taken at no other one by a function that rises *)
+Lemma one_angle (f : R -> R) y : rising (2 * PI) f -> (exists u, 0 < u < 2 * PI /\ f u = y) ->
   exists! u, 0 < u < 2 * PI /\ f u = y.
 Proof.
-  intros Up (u & Hu & E). exists u. split; auto. intros v (Hv & E'). destruct (Rtotal_order u v) as [L|[|L]]; auto; exfalso.
-  - pose proof (Up u v ltac:(lra) L ltac:(lra)). lra.
-  - pose proof (Up v u ltac:(lra) L ltac:(lra)). lra.
+  intros Up (u & Hu & E). exists u. split; auto. intros v (Hv & E'). apply (rising_one (2 * PI) f); auto. lra.
 Qed.
-Lemma c_increases u v : 0 < u -> u < v -> v < 2 * PI -> c u < c v.
+
+(** the depth takes every value *)
+Lemma depth_ex y : 0 < y -> exists p, 0 < p < PI /\ depth p = y.
 Proof.
-  apply (incr_function c 0 (2 * PI) h); try (simpl; lra); intros t T0 T1; simpl in T0, T1;
-    [apply c_derive; lra|apply h_pos; lra].
+  intros Hy. set (p0 := Rmin (y / 8) (1 / 2)). pose proof PI2_1.
+  assert (P0 : 0 < p0 <= 1 / 2 /\ p0 <= y / 8) by (unfold p0, Rmin; destruct Rle_dec; lra).
+  set (F := fun p => 2 * (sin p - p * cos p) - y * sin p).
+  assert (E : forall p, 0 < p < PI -> 0 < sin p /\ F p = sin p * (depth p - y)).
+  { intros p Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). split; auto. unfold F, depth. field. lra. }
+  destruct (IVT F p0 PI) as (z & Hz & Z); [unfold F; reg|lra| | |].
+  - destruct (E p0 ltac:(lra)) as (Sp & ->). assert (depth p0 < y); [|nra].
+    pose proof (depth_upper p0 ltac:(lra)) as U. pose proof (hh_pos p0 ltac:(lra)). rewrite hh_h in * by lra.
+    pose proof (h_small (2 * p0) ltac:(lra)). nra.
+  - unfold F. rewrite sin_PI, cos_PI. lra.
+  - assert (z <> PI) by (intros ->; unfold F in Z; rewrite sin_PI, cos_PI in Z; lra). exists z. split; [lra|].
+    destruct (E z ltac:(lra)) as (Sp & R). apply Rmult_eq_reg_l with (sin z); lra.
 Qed.
 
 (** [excursion-rise] $h$ increases on $(0,2\pi)$, takes every positive value once and has $h''>0$; $h-d\cot(\theta/2)$
@@ -63,12 +72,8 @@ Theorem rise : (forall u, 0 < u < 2 * PI -> is_derive h u (h1 u) /\ 0 < h1 u /\ 
   (forall d p p', 0 <= d -> 0 < p -> p < p' -> p' < PI -> push d p < push d p').
 Proof.
   split; [intros u Hu; auto using h_derive, h1_pos, h1_derive, h2_pos|]. split; [|split; [exact h_pos|exact push_incr]].
-  intros y Hy. apply one_angle; [apply h_increases|]. pose proof PI_RGT_0. pose proof PI_4. set (u0 := Rmin (y / 2) 1).
-  pose proof (Rmin_l (y / 2) 1). pose proof (Rmin_r (y / 2) 1). fold u0 in H0, H1, H2 |- *.
-  assert (U0 : 0 < u0) by positive. assert (PI_gt : 1 <= PI) by (pose proof PI2_1; lra).
-  destruct (push_ex 0 y (u0 / 2)) as (p & Hp & E); [lra| |].
-  - rewrite push_0, hh_h by lra. replace (2 * (u0 / 2)) with u0 by field. pose proof (h_small u0 ltac:(lra)). lra.
-  - exists (2 * p). rewrite push_0, hh_h in E by lra. split; [lra|auto].
+  intros y Hy. apply one_angle; [exact h_increases|]. destruct (half_ex y Hy) as (p & Hp & E). exists (2 * p).
+  rewrite <- hh_h by auto. split; [lra|auto].
 Qed.
 
 (** [excursion-depth] $c'=h$; $c$ takes every positive value once on $(0,2\pi)$ and is concave as a function of $h^2$.
@@ -79,41 +84,30 @@ Theorem deepens : (forall u, 0 < u < 2 * PI -> is_derive c u (h u) /\ 0 < c u) /
     (c w - c v) * (h v ^ 2 - h u ^ 2) <= (c v - c u) * (h w ^ 2 - h v ^ 2)).
 Proof.
   pose proof PI_RGT_0. split; [intros u Hu; split; [apply c_derive; auto|apply depth_pos; lra]|]. split.
-  - intros y Hy. apply one_angle; [apply c_increases|]. set (p0 := Rmin (y / 8) (1 / 2)).
-    assert (P0 : 0 < p0 <= 1 / 2 /\ p0 <= y / 8) by (unfold p0, Rmin; destruct Rle_dec; lra).
-    pose proof PI2_1. set (F := fun p => 2 * (sin p - p * cos p) - y * sin p).
-    assert (E : forall p, 0 < p < PI -> 0 < sin p /\ F p = sin p * (depth p - y)).
-    { intros p Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). split; auto. unfold F, depth. field. lra. }
-    destruct (IVT F p0 PI) as (z & Hz & Z); [unfold F; reg|lra| | |].
-    + destruct (E p0 ltac:(lra)) as (Sp & ->). assert (depth p0 < y); [|nra].
-      pose proof (depth_upper p0 ltac:(lra)) as U. pose proof (hh_pos p0 ltac:(lra)). rewrite hh_h in * by lra.
-      pose proof (h_small (2 * p0) ltac:(lra)). nra.
-    + unfold F. rewrite sin_PI, cos_PI. lra.
-    + assert (z <> PI) by (intros ->; unfold F in Z; rewrite sin_PI, cos_PI in Z; lra). exists (2 * z). split; [lra|].
-      destruct (E z ltac:(lra)) as (Sp & R). unfold c. replace (2 * z / 2) with z by field. apply Rmult_eq_reg_l with (sin z); lra.
+  - intros y Hy. apply one_angle; [apply c_increases|]. destruct (depth_ex y Hy) as (p & Hp & E).
+    exists (2 * p). unfold c. replace (2 * p / 2) with p by field. split; [lra|auto].
   - intros u v w Hu Huv Hvw Hw. pose proof (h1_pos v ltac:(lra)) as Dv. set (k := / (2 * h1 v)). assert (Kp : 0 < k) by (unfold k; positive).
-    assert (Mono : forall r t, 0 < r -> r < t -> t < 2 * PI -> h1 r < h1 t).
-    { intros r t Hr Hrt Ht. apply (incr_function h1 0 (2 * PI) h2); try (simpl; lra); intros q Q0 Q1; simpl in Q0, Q1;
-        [apply h1_derive; lra|apply h2_pos; lra]. }
+    assert (Mono : rising (2 * PI) h1).
+    { intros r t Hr Hrt Ht. apply (climbs h1 h2); [auto| |]; intros z Hz; [apply h1_derive|apply h2_pos]; lra.
+        }
     assert (D : forall t, 0 < t < 2 * PI -> is_derive (fun t => c t - k * h t ^ 2) t (h t * (1 - h1 t / h1 v))).
     { intros t Ht. evar_last; [apply (is_derive_minus c (fun t => k * h t ^ 2)); [apply c_derive; auto|
         apply is_derive_scal, (is_derive_pow h 2), h_derive; auto]|].
       unfold minus, plus, opp, scal; simpl; unfold mult; simpl. unfold k. field. lra. }
-    assert (Step : forall r t, 0 < r -> r < t -> t < 2 * PI -> exists m, r <= m <= t /\
-      (c t - k * h t ^ 2) - (c r - k * h r ^ 2) = h m * (1 - h1 m / h1 v) * (t - r)).
-    { intros r t Hr Hrt Ht. destruct (MVT_gen (fun t => c t - k * h t ^ 2) r t (fun t => h t * (1 - h1 t / h1 v))) as (m & Hm & E).
-      - intros q Hq. rewrite Rmin_left, Rmax_right in Hq by lra. apply D. lra.
-      - intros q Hq. rewrite Rmin_left, Rmax_right in Hq by lra. apply derivable_continuous_pt. eexists. apply is_derive_Reals, D. lra.
-      - rewrite Rmin_left, Rmax_right in Hm by lra. exists m. split; auto. }
     assert (Left : k * (h v ^ 2 - h u ^ 2) <= c v - c u).
-    { destruct (Step u v Hu Huv ltac:(lra)) as (m & Hm & E). pose proof (h_pos m ltac:(lra)).
-      assert (h1 m <= h1 v) by (destruct (Req_dec m v) as [->|]; [lra|apply Rlt_le, Mono; lra]).
-      assert (h1 m / h1 v <= 1) by (undivide (h1 v); lra). assert (0 <= h m * (1 - h1 m / h1 v) * (v - u)) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra). lra. }
+    { cut (c u - k * h u ^ 2 <= c v - k * h v ^ 2); [lra|].
+      apply (rises (fun t => c t - k * h t ^ 2) (fun t => h t * (1 - h1 t / h1 v))); [lra|intros; apply D;
+        lra|].
+      intros t Ht. pose proof (h_pos t ltac:(lra)). pose proof (Mono t v ltac:(lra) ltac:(lra) ltac:(lra)).
+      apply Rmult_le_pos; [lra|]. cut (h1 t / h1 v <= 1); [lra|undivide (h1 v); lra]. }
     assert (Right : c w - c v <= k * (h w ^ 2 - h v ^ 2)).
-    { destruct (Step v w ltac:(lra) Hvw Hw) as (m & Hm & E). pose proof (h_pos m ltac:(lra)).
-      assert (h1 v <= h1 m) by (destruct (Req_dec m v) as [->|]; [lra|apply Rlt_le, Mono; lra]).
-      assert (1 <= h1 m / h1 v) by (undivide (h1 v); lra). assert (0 <= h m * (h1 m / h1 v - 1) * (w - v)) by positive.
-      lra. }
+    { cut (- (c v - k * h v ^ 2) <= - (c w - k * h w ^ 2)); [lra|].
+      apply (rises (fun t => - (c t - k * h t ^ 2)) (fun t => - (h t * (1 - h1 t / h1 v)))); [lra| |]; intros
+        t Ht.
+      - apply (is_derive_opp (fun t => c t - k * h t ^ 2)), D. lra.
+      - pose proof (h_pos t ltac:(lra)). pose proof (Mono v t ltac:(lra) ltac:(lra) ltac:(lra)).
+        assert (1 <= h1 t / h1 v) by (undivide (h1 v); lra).
+        assert (0 <= h t * (h1 t / h1 v - 1)) by positive. lra. }
     pose proof (h_increases u v Hu Huv ltac:(lra)). pose proof (h_increases v w ltac:(lra) Hvw Hw). pose proof (h_pos u ltac:(lra)).
     assert (P1 : 0 <= h v ^ 2 - h u ^ 2) by nra. assert (P2 : 0 <= h w ^ 2 - h v ^ 2) by nra.
     apply Rle_trans with (k * (h w ^ 2 - h v ^ 2) * (h v ^ 2 - h u ^ 2)); [apply Rmult_le_compat_r; auto|].
@@ -123,27 +117,20 @@ Qed.
 
 Section Excursions.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let M := m1 + m2.
-Let q := m1 / M.
-Let o1 := o1 m1 a2.
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
-Let ray := ray m1 m2 a2 b.
-Let sol := solution m1 m2 0 a2 b.
+Context (M := m1 + m2) (q := m1 / M) (o1 := o1 m1 a2) (L := L m1 m2 a2 b) (Ecr := Ecr m1 m2 a2 b)
+  (ray := ray m1 m2 a2 b) (sol := solution m1 m2 0 a2 b).
 
 (** an excursion from a ray: it ends at its angle, its depth and its loss *)
 Lemma excursion k x v1 v2 s t p : k = 1 \/ k = -1 -> sol x v1 v2 s -> 0 <= t -> 0 < p < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 t ->
   let e := t + 2 * p / o1 in (forall u, t < u < e -> k * v1 u < k * v2 u) /\ v1 e = v2 e /\ k * (x t - x e) = L * (q * depth p) /\
   energy m1 m2 a2 (x t) (v1 t) (v2 t) - energy m1 m2 a2 (x e) (v1 e) (v2 e) = Ecr * (q * (m2 / M * depth p ^ 2)).
 Proof.
-  intros Hk H Ht Hp On e. pose proof On as (X0 & V0 & W0). apply ray_gap in On. rewrite <- (push_0 p) in On.
-  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t 0 p Hk H Ht (Rle_refl 0) Hp On) as (_ & Sg & A & B & C & En).
-  fold o1 in Sg, A, B, C, En. fold e in Sg, A, B, C, En. rewrite level_0 in En by auto.
-  fold M in A, En. fold q L in A. fold q Ecr in En. fold L in X0.
-  pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 (hh p)) as R. fold M q L Ecr in R. rewrite <- X0, <- V0 in R.
-  assert (R' : energy m1 m2 a2 (x t) (v1 t) (v2 t) = Ecr * (1 + q * hh p ^ 2)).
-  { rewrite <- R. assert (v2 t = v1 t) as -> by (destruct Hk; subst k; lra). unfold energy. destruct Hk; subst k; field. }
-  split; [exact Sg|]. split; [destruct Hk; subst k; lra|]. lra.
+  intros Hk H Ht Hp On e. pose proof On as (X0 & V0 & W0).
+  destruct (ray_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t p Hk H Ht Hp On) as (Sg & Ev & A & _ & En).
+  fold o1 e M L in Sg, Ev, A, En. fold q Ecr in A, En. fold L in X0.
+  pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 (hh p)) as R.
+  fold M q L Ecr in R. rewrite <- X0, <- V0 in R at 1. rewrite <- W0, energy_side in R by auto.
+  split; [exact Sg|]. split; [exact Ev|]. lra.
 Qed.
 
 (** [excursions-grow] Of two excursions from a ray the faster one lasts longer, goes deeper and loses more energy. *)
@@ -158,9 +145,7 @@ Proof.
   intros Hk Hk' H H' Ht Ht' Hp Hpp Hp' On On' e e'. assert (O : 0 < o1) by (apply o1_pos; auto).
   destruct (excursion k x v1 v2 s t p Hk H Ht ltac:(lra) On) as (S & V & D & E).
   destruct (excursion k' x' v1' v2' s' t' p' Hk' H' Ht' ltac:(lra) On') as (S' & V' & D' & E'). fold e in S, V, D, E. fold e' in S', V', D', E'.
-  pose proof (hh_incr p p' Hp Hpp Hp') as Hh. assert (Dc : depth p < depth p').
-  { pose proof (c_increases (2 * p) (2 * p') ltac:(lra) ltac:(lra) ltac:(lra)) as Q. unfold c in Q.
-    replace (2 * p / 2) with p in Q by field. replace (2 * p' / 2) with p' in Q by field. exact Q. }
+  pose proof (hh_incr p p' Hp Hpp Hp') as Hh. pose proof (depth_incr p p' Hp Hpp Hp') as Dc.
   pose proof (depth_pos p ltac:(lra)) as Dp. assert (Lp : 0 < L) by (apply L_pos; auto).
   assert (Qp : 0 < q) by positive. assert (Ep : 0 < Ecr) by (unfold Ecr; apply Ecr_pos; auto).
   repeat (split; [auto; fail|]). rewrite D, D', E, E'. split; [|split; [|split]].
@@ -184,9 +169,8 @@ Proof.
   destruct Ex as (p & Hp & E). exists p. split.
   - rewrite <- E in G. destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t d p Hk H Ht Hd Hp G) as (_ & S & _ & B & C & _).
     repeat (split; [auto; fail|]). fold o1 in B, C. destruct Hk; subst k; lra.
-  - intros p' (Hp' & E' & _). destruct (Rtotal_order p p') as [Lt|[|Gt]]; auto; exfalso.
-    + pose proof (push_incr d p p' Hd ltac:(lra) Lt ltac:(lra)). lra.
-    + pose proof (push_incr d p' p Hd ltac:(lra) Gt ltac:(lra)). lra.
+  - intros p' (Hp' & E' & _). apply (rising_one PI (push d)); auto; [|lra]. intros u1 u2.
+    apply push_incr; auto.
 Qed.
 
 (** One angle v in (0, 2 pi) has tan v = v; up to it a pair that re-entered S0 above E_cr leaves by the other ray, beyond
@@ -194,10 +178,10 @@ Qed.
 Let turn v := sin v - v * cos v.
 Lemma turn_falls u v : PI < u -> u < v -> v < 2 * PI -> turn v < turn u.
 Proof.
-  intros Hu Huv Hv. assert (- turn u < - turn v); [|lra].
-  apply (incr_function (fun t => - turn t) PI (2 * PI) (fun t => - (t * sin t))); try (simpl; lra).
-  - intros t _ _. unfold turn. auto_derive; auto. ring.
-  - intros t T0 T1. simpl in T0, T1. pose proof (sin_lt_0 t T0 T1). nra.
+  intros Hu Huv Hv. apply Ropp_lt_cancel. apply (climbs (fun t => - turn t) (fun t => - (t * sin t))); [auto|
+    |]; intros t Ht.
+  - unfold turn. auto_derive; auto. ring.
+  - pose proof (sin_lt_0 t ltac:(lra) ltac:(lra)). nra.
 Qed.
 Lemma turns_until u v : 0 < u < 2 * PI -> 0 < v < 2 * PI -> turn v = 0 -> (u < v -> 0 < turn u) /\ (v < u -> turn u < 0).
 Proof.
@@ -228,14 +212,13 @@ Theorem leaves_by k x v1 v2 s t p v : k = 1 \/ k = -1 -> sol x v1 v2 s -> 0 <= t
 Proof.
   intros Hk H Ht Hp On De Hy Hv Zv e. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Qp : 0 < q) by positive.
   assert (Lp : 0 < L) by (apply L_pos; auto). assert (He : 0 <= e) by (unfold e; assert (0 < 2 * p / o1) by positive; lra).
-  apply ray_gap in On. rewrite <- (push_0 p) in On. destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t 0 p Hk H
-    Ht (Rle_refl 0) Hp On) as (_ & _ & A & B & C & En). fold o1 in A, B, C, En. fold e in A, B, C, En. fold M in A, En.
-  fold q L in A. fold q Ecr in En. rewrite level_0 in En by auto. fold M in En.
-  assert (Xe : - L <= x e <= L) by (apply (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ 0 p Hk (Rle_refl 0) Hp A);
-    rewrite Rplus_0_r; auto). rewrite Rplus_0_r in B, C. pose proof (next_push 0 p Hp) as Np.
-  rewrite push_0, Rplus_0_r in Np. rewrite <- Np in B, C. set (y := hh p ^ 2 - m2 / M * depth p ^ 2) in *.
-  assert (Sy : 0 < sqrt y) by positive. assert (Ey : sqrt y ^ 2 = y) by (apply pow2_sqrt; lra). rewrite <- Ey in En.
-  assert (Ve : v1 e = v2 e) by (destruct Hk; subst k; lra). assert (Sg : forall j, j = 1 \/ j = -1 -> j * v1 e < 0 ->
+  destruct (ray_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t p Hk H Ht Hp On) as (_ & Ve & A & B & En).
+  fold o1 e M L in Ve, A, B, En. fold q ray Ecr in A, B, En. assert (Xe : - L <= x e <= L).
+  { apply (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ 0 p Hk (Rle_refl 0) Hp); rewrite Rplus_0_r; [exact A|auto]. }
+  set (y := hh p ^ 2 - m2 / M * depth p ^ 2) in *.
+assert (Sy : 0 < sqrt y) by positive. assert (Ey : sqrt y ^ 2 = y) by (apply pow2_sqrt; lra).
+rewrite <- Ey in En.
+  assert (Sg : forall j, j = 1 \/ j = -1 -> j * v1 e < 0 ->
     exists t2 u, e <= t2 /\ 0 < u /\ on_ray m1 m2 a2 b (- j) u x v1 v2 t2 /\ forall r, e <= r <= t2 -> v1 r = v2 r).
   { intros j Hj N. destruct (to_ray_side m1 m2 a2 b Hm1 Hm2 Ha2 Hb j x v1 v2 s e (sqrt y) Hj H He Ve Xe N Sy En)
       as (t2 & T2 & R & St). exists t2, (sqrt y). split; [lra|]. split; [auto|]. split; [exact R|apply St]. }

@@ -27,10 +27,7 @@ Lemma hh_half_pi : hh (PI / 2) = PI / 2.
 Proof. unfold hh. rewrite sin_PI2, cos_PI2. field. Qed.
 (** h is monotone, both ways *)
 Lemma hh_le p q : 0 < p < PI -> 0 < q < PI -> (hh p <= hh q <-> p <= q).
-Proof.
-  intros Hp Hq. pose proof (hh_incr p q (proj1 Hp)). pose proof (hh_incr q p (proj1 Hq)).
-  destruct (Rtotal_order p q) as [L|[->|L]]; split; lra.
-Qed.
+Proof. intros Hp Hq. apply (rising_iff PI hh p q hh_incr Hp Hq). Qed.
 
 (** up to half angle pi/2 it lands inside the strip, moving to the other ray *)
 Lemma depth_two p : 0 < p <= PI / 2 -> depth p <= 2.
@@ -49,8 +46,8 @@ Qed.
 (** h/c decreases up to pi/2, because K > 0 there *)
 Lemma ratio_falls p q : 0 < p -> p <= q -> q <= PI / 2 -> ratio q <= ratio p.
 Proof.
-  intros H0 Hpq Hq. destruct (Req_dec p q) as [->|N]; [lra|]. pose proof PI2_3_2 as P3.
-  destruct root as (ps & Hps & Z & Le & Ri). assert (Kh : 0 < K (PI / 2)).
+  intros H0 [Lt|<-] Hq; [|lra]. pose proof PI2_3_2 as P3. destruct root as (ps & Hps & Z & Le & Ri).
+  assert (Kh : 0 < K (PI / 2)).
   { unfold K. rewrite sin_PI2, cos_PI2. pose proof (sqrt_sqrt 2 ltac:(lra)). nra. }
   assert (PI / 2 < ps) by (apply Rnot_le_lt; intros [L|E]; [pose proof (Ri (PI / 2))|rewrite E in Z]; lra).
   apply Rlt_le, (ratio_step p q); [lra|lra|lra|]. intros t Ht. apply Le. lra.
@@ -80,20 +77,11 @@ Proof. intros Hk. induction n; simpl; [|destruct IHn; [right|left]]; lra. Qed.
 
 Section Orbit.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let M := m1 + m2.
-Let q := m1 / M.
-Let r := m2 / M.
-Let om := omega m1 m2 a2.
-Let o1 := o1 m1 a2.
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
-Let on_ray := on_ray m1 m2 a2 b.
-Let amp := amp m1 m2.
-Let q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2.
-Let r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2.
-Let qr : q + r = 1 := qr_one m1 m2 Hm1 Hm2.
-Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
-Let o1_pos : 0 < o1 := o1_pos m1 a2 Hm1 Ha2.
+Context (M := m1 + m2) (q := m1 / M) (r := m2 / M) (om := omega m1 m2 a2) (o1 := o1 m1 a2)
+  (L := L m1 m2 a2 b) (Ecr := Ecr m1 m2 a2 b) (on_ray := on_ray m1 m2 a2 b) (amp := amp m1 m2)
+  (q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2) (r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2)
+  (qr : q + r = 1 := qr_one m1 m2 Hm1 Hm2) (om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2)
+  (o1_pos : 0 < o1 := o1_pos m1 a2 Hm1 Ha2).
 
 (** excursions up to theta = pi that land above E_cr, and the return map in the half angle *)
 Definition ok p := 0 < p <= PI / 2 /\ r * depth p ^ 2 < hh p ^ 2.
@@ -138,7 +126,7 @@ Proof.
   - split; nra.
   - pose proof (ray_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb (2 * p - hh p) ltac:(lra)). unfold ray in *. lra.
   - positive.
-  - rewrite E. exact (slip_level m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t0 p H Ht Hp HR).
+  - rewrite E. apply (ray_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb 1 x v1 v2 s t0 p (or_introl eq_refl) H Ht Hp HR).
   - fold om amp in St, Sr, Si. set (T :=
     (acos (- / amp (hh (next p) ^ 2)) - acos ((1 - q * depth p) / amp (hh (next p) ^ 2))) / om) in *.
     assert (C : cyc p = 2 * p / o1 + T) by auto. rewrite C.
@@ -235,7 +223,7 @@ Lemma ray_energy k u x v1 v2 t : k = 1 \/ k = -1 -> on_ray k u x v1 v2 t ->
   energy m1 m2 a2 (x t) (v1 t) (v2 t) = Ecr * (1 + q * u ^ 2).
 Proof.
   intros Hk (Ex & E1 & E2). unfold Ecr, q, M. rewrite <- (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 u).
-  assert (Ev : v2 t = v1 t) by nra. rewrite <- Ex, <- E1, Ev. unfold energy. destruct Hk; subst k; field.
+  rewrite <- Ex, <- E1 at 1. rewrite <- E2. symmetry. apply energy_side; auto.
 Qed.
 (** [exit-energy] Along the orbit of exits the energy at each is $E_{cr}(1+q\,y)$. *)
 Theorem exit_energy k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> ok p ->

@@ -12,8 +12,7 @@ Qed.
 
 Section Ends.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
+Context (L := L m1 m2 a2 b) (Ecr := Ecr m1 m2 a2 b).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Hypothesis up : forall t, 0 <= t -> Ecr < E t.

@@ -56,60 +56,34 @@ Qed.
 
 Section Fading.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let q := m1 / (m1 + m2).
-Let o1 := o1 m1 a2.
-Let om := omega m1 m2 a2.
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
-Let Oo : 0 < o1 := o1_pos m1 a2 Hm1 Ha2.
-Let Om : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
-Let L0 : 0 < L := L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb.
-Let Q0 : 0 < q := q_pos m1 m2 Hm1 Hm2.
-Let E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb.
+Context (q := m1 / (m1 + m2)) (o1 := o1 m1 a2) (om := omega m1 m2 a2) (L := L m1 m2 a2 b)
+  (Ecr := Ecr m1 m2 a2 b) (Oo : 0 < o1 := o1_pos m1 a2 Hm1 Ha2)
+  (Om : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2) (L0 : 0 < L := L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)
+  (Q0 : 0 < q := q_pos m1 m2 Hm1 Hm2) (E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb).
 
 (** the fastest slip from a ray with the push h *)
 Definition fastest h := b / (m2 * o1) * (2 * (h - atan h)).
 
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
-Let w t := v1 t - v2 t.
-Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
+Context (w := fun t => v1 t - v2 t) (E := fun t => energy m1 m2 a2 (x t) (v1 t) (v2 t)).
 
 Section FromRay.
 Variables k t0 p : R.
 Hypotheses (Hk : k = 1 \/ k = -1) (Ht : 0 <= t0) (Hp : ok m1 m2 p) (HR : on_ray m1 m2 a2 b k (hh p) x v1 v2 t0).
-Let ph := orb m1 m2 p.
-Let tm := tim m1 m2 a2 t0 p.
-Let sl n := 2 * ph n / o1.
-Let side n := k * (-1) ^ n.
+Context (ph := orb m1 m2 p) (tm := tim m1 m2 a2 t0 p) (sl := fun n => 2 * ph n / o1)
+  (side := fun n => k * (-1) ^ n).
 Let P n : 0 < ph n < PI := ph_pi m1 m2 Hm1 Hm2 p Hp n.
 Let T0 n : t0 <= tm n := tim_start m1 m2 a2 Hm1 Hm2 Ha2 t0 p n Hp.
-Let sides n : side n = 1 \/ side n = -1 := sides k n Hk.
+Let Cy n := cycle_at m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hp HR n.
+Let sides n : side n = 1 \/ side n = -1 := proj1 (Cy n).
 (** on either the size is the same *)
 Lemma side_abs n y : Rabs y = Rabs (side n * y).
 Proof. rewrite Rabs_mult. destruct (sides n) as [->| ->]; [rewrite Rabs_R1|rewrite (Rabs_left (-1)) by lra]; ring. Qed.
-(** the exits *)
-Lemma leaves n : on_ray m1 m2 a2 b (side n) (hh (ph n)) x v1 v2 (tm n).
-Proof. exact (exits m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hp HR n). Qed.
-(** a slip, and a stick until the next one *)
-Lemma lasts n : 0 < sl n /\ tm n + sl n < tm (S n).
-Proof.
-  pose proof (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (orb_ok m1 m2 Hm1 Hm2 p n Hp)). unfold tm. simpl. fold (ph n).
-  fold o1 in H0. fold (sl n) in H0. lra.
-Qed.
-Lemma slips n t : tm n < t < tm n + sl n -> 0 < side n * (v2 t - v1 t).
-Proof.
-  intros Hu. pose proof (T0 n). destruct (cycle m1 m2 a2 b Hm1 Hm2 Ha2 Hb (side n) x v1 v2 s (tm n) (ph n) (sides n) H
-    ltac:(lra) (orb_ok m1 m2 Hm1 Hm2 p n Hp) (leaves n)) as (_ & _ & C & _).
-      specialize (C (t - tm n) ltac:(fold o1; fold (sl n); lra)). replace (tm n + (t - tm n)) with t in C by ring. lra.
-Qed.
-Lemma sticks n t : tm n + sl n <= t <= tm (S n) -> v1 t = v2 t /\ - L <= x t <= L.
-Proof.
-  intros Hu. pose proof (T0 n). change (tm (S n)) with (tm n + cyc m1 m2 a2 (ph n)) in Hu.
-  destruct (cycle m1 m2 a2 b Hm1 Hm2 Ha2 Hb (side n) x v1 v2 s (tm n) (ph n) (sides n) H
-    ltac:(lra) (orb_ok m1 m2 Hm1 Hm2 p n Hp) (leaves n)) as (_ & _ & _ & C).
-      specialize (C (t - tm n) ltac:(fold o1; fold (sl n); lra)).
-  replace (tm n + (t - tm n)) with t in C by ring. exact C.
-Qed.
+(** the exits; a slip, and a stick until the next one *)
+Lemma leaves n : on_ray m1 m2 a2 b (side n) (hh (ph n)) x v1 v2 (tm n). Proof. apply (Cy n). Qed.
+Lemma lasts n : 0 < sl n /\ tm n + sl n < tm (S n). Proof. split; apply (Cy n). Qed.
+Lemma slips n t : tm n < t < tm n + sl n -> side n * v1 t < side n * v2 t. Proof. apply (Cy n). Qed.
+Lemma sticks n t : tm n + sl n <= t <= tm (S n) -> v1 t = v2 t /\ - L <= x t <= L. Proof. apply (Cy n). Qed.
 (** the angles fall *)
 Lemma angles_fall n : ph (S n) < ph n.
 Proof.
@@ -117,7 +91,7 @@ Proof.
   exact (ReturnMap.y_falls (m2 / (m1 + m2)) (r_pos m1 m2 Hm1 Hm2) ph P (y_step m1 m2 Hm1 Hm2 p Hp) n).
 Qed.
 Lemma angles_below n : ph n <= p.
-Proof. induction n; [unfold ph; simpl; lra|]. pose proof (angles_fall n). lra. Qed.
+Proof. exact (phi_0 (m2 / (m1 + m2)) (r_pos m1 m2 Hm1 Hm2) ph P (y_step m1 m2 Hm1 Hm2 p Hp) n). Qed.
 (** body 1 in a slip, and where it ends *)
 Lemma slip_motion n : side n * x (tm n + sl n) = L * (1 - q * depth (ph n)) /\ forall u, 0 <= u <= sl n ->
   side n * v1 (tm n + u) = b / (m2 * o1) * (hh (ph n) * cos (o1 * u) - sin (o1 * u)) /\
@@ -150,7 +124,7 @@ Proof.
   { intros n. apply Rmult_lt_compat_r; [positive|]. pose proof (angles_fall n). lra. }
   exists (fun n => tm n + sl n), tm. split; [reflexivity|]. split; [intros n; pose proof (lasts n); lra|].
   split; [exact (tm_inf m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp)|]. split; [intros n t Hu; apply (sticks n t Hu)|].
-  split; [intros n t Hu Eq; pose proof (slips n t Hu) as Q; rewrite Eq, Rminus_diag_eq, Rmult_0_r in Q by auto; lra|].
+  split; [intros n t Hu Eq; pose proof (slips n t Hu) as Q; rewrite Eq in Q; lra|].
   split.
   - intros n u Hu. assert (Hu' : 0 < u < sl (S n)) by lra. pose proof (Ss n). pose proof (P (S n)).
     destruct (proj2 (proj2 (slip_motion (S n)) u ltac:(lra)) Hu') as (Z & D & A).
@@ -195,7 +169,7 @@ Lemma peak_law : (forall t, 0 <= t -> Ecr < E t) ->
 Proof.
   intros Up. assert (Pk : forall t, pk t ^ 2 = 2 * E t / (m1 + m2)).
   { intros t. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)) as Q.
-    unfold pk. rewrite <- Rsqr_pow2, Rsqr_sqrt; auto. positive. } assert (LO : (L * om) ^ 2 = 2 * Ecr / (m1 + m2)).
+    apply pow2_sqrt. positive. } assert (LO : (L * om) ^ 2 = 2 * Ecr / (m1 + m2)).
   { unfold Ecr. rewrite Ecr_L by auto. fold L. rewrite Rpow_mult_distr. replace (om ^ 2) with (om * om) by ring.
     unfold om. rewrite omega_sq by auto. lra. }
   assert (R0 : 0 < rate m1 m2 a2) by (unfold rate; pose proof PI_RGT_0; positive).
@@ -288,14 +262,14 @@ Theorem peaks_fall : (forall t, 0 <= t -> Ecr < E t) -> exists te tau : nat -> R
 Proof.
   intros Up. destruct (reaches_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H Up) as (k & t0 & p & Hk & Ht & Hp & HR).
   set (te := fun n => tim m1 m2 a2 t0 p n + 2 * orb m1 m2 p n / o1).
-  exists te, (fun n => tim m1 m2 a2 t0 p (S n)). pose proof (lasts t0 p Hp) as La. split; [|split; [|split; [|split]]].
+  exists te, (fun n => tim m1 m2 a2 t0 p (S n)). pose proof (lasts k t0 p Hk Ht Hp HR) as La.
+  split; [|split; [|split; [|split]]].
   - apply is_lim_seq_le_p_loc with (2 := tm_inf m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp). exists 0%nat. intros n _.
       pose proof (La n). unfold te. lra.
   - intros n. pose proof (tim_start m1 m2 a2 Hm1 Hm2 Ha2 t0 p n Hp). pose proof (La n). pose proof (La (S n)).
       unfold te. lra.
   - intros n t Hu. apply (sticks k t0 p Hk Ht Hp HR n t Hu).
-  - intros n t Hu Eq. pose proof (slips k t0 p Hk Ht Hp HR (S n) t Hu) as Q.
-      rewrite Eq, Rminus_diag_eq, Rmult_0_r in Q by auto. lra.
+  - intros n t Hu Eq. pose proof (slips k t0 p Hk Ht Hp HR (S n) t Hu) as Q. rewrite Eq in Q. lra.
   - intros e He. exact (peaks_from_ray k t0 p Hk Ht Hp HR e Up He).
 Qed.
 End Fading.

@@ -94,8 +94,7 @@ Proof.
       auto.
     + apply ac_ext with (fun r => m1 * v1 r + b * (m2 / b * v2 r) + -1 * U r); [intros; ring|].
       apply ac_plus; [apply ac_plus; apply ac_scal; auto|apply ac_scal; auto].
-    + apply cont_ext with (fun r => -1 * (a2 * x r + a1 * v1 r)); [intros; ring|].
-      apply cont_scal, cont_plus; apply cont_scal; auto.
+    + continuous.
     + apply (almost_impl (fun r => included u x v1 v2 r /\ is_derive U r (u r))); [|apply almost_and; auto].
       intros r _ ((g & _ & _ & _ & _ & D1 & D2) & D).
       replace (- (a2 * x r + a1 * v1 r)) with (minus (plus (m1 * ((u r - a2 * x r - a1 * v1 r - b * g) / m1))
@@ -110,9 +109,7 @@ Qed.
 (** *** And the other way round *)
 Section Motion.
 Context (u U x v1 v2 s : R -> R) (HU : integral_of u U) (H : forced m1 m2 a1 a2 b U x v1 v2 s).
-Let w t := v1 t - v2 t.
-Let kap := (m1 + m2) / (m1 * m2).
-Let load := load m1 m2 a1 a2 u x v1.
+Context (w := fun t => v1 t - v2 t) (kap := (m1 + m2) / (m1 * m2)) (load := load m1 m2 a1 a2 u x v1).
 (** what the relative velocity would be without friction, of which the load gives the rate *)
 Let g t := w t + kap * b * s t.
 
@@ -122,9 +119,7 @@ Lemma motion_ac : ac x /\ ac v1 /\ ac v2 /\ ac g /\ almost (fun t => is_derive g
 Proof.
   pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H) as Cx. pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H) as Cv.
   set (P := fun t => m1 * v1 t + b * s t - U t). set (p := fun t => - (a2 * x t + a1 * v1 t)).
-  assert (Cp : cont p) by (apply cont_opp, cont_plus; apply cont_scal; auto).
-  assert (CP : cont P) by (apply cont_minus; [apply cont_plus; apply cont_scal; auto; exact (moves_cs m1 m2 a1 a2 b _ _
-    _ _ _ _ (forced_moving m1 m2 a1 a2 b _ _ _ _ _ H))|exact (f_cU _ _ _ _ _ _ _ _ _ _ H)]).
+  assert (Cp : cont p) by continuous. assert (CP : cont P) by continuous.
   assert (AP : ac P) by exact (ac_of_rderiv P p CP Cp (f_v1 _ _ _ _ _ _ _ _ _ _ H)). assert (As : ac s). { apply ac_lip.
     exists 1. split; [lra|]. intros r t Hr _. rewrite Rmult_1_l. apply (f_lip _ _ _ _ _ _ _ _ _ _ H); auto. }
   assert (A2 : ac v2). { apply ac_ext with (fun t => v2 0 - b / m2 * s 0 + b / m2 * s t);

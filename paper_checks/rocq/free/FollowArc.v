@@ -30,7 +30,10 @@ Qed.
 Lemma mirror x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s ->
   solution m1 m2 0 a2 b (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) (fun t => - s t).
 Proof. apply solution_mirror. Qed.
-(** On either side it looks the same. *)
+(** On either side it looks the same, and has the same energy. *)
+Lemma energy_side k y v w : k = 1 \/ k = -1 -> energy m1 m2 a2 (k * y) (k * v) (k * w) = energy m1 m2 a2 y v
+  w.
+Proof. unfold energy. intros [->| ->]; field. Qed.
 Lemma sided k x v1 v2 s : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s ->
   solution m1 m2 0 a2 b (fun t => k * x t) (fun t => k * v1 t) (fun t => k * v2 t) (fun t => k * s t).
 Proof.

@@ -6,10 +6,12 @@ From InertialPair Require Import Dini Excursion ReturnMap TurningFunction SlipFr
 (** phi* is above 1.89 *)
 Lemma root_above ps : 0 < ps <= PI -> K ps = 0 -> 189 / 100 < ps.
 Proof.
-  intros Hp Z. destruct (signs ps Hp Z) as (_ & Ri). assert (189 / 100 <= PI) by (interval with (i_prec 60)).
-  assert (0 < K (189 / 100)) by (unfold K; interval with (i_prec 60)). apply Rnot_le_lt. intros [N|E].
-  - pose proof (Ri (189 / 100) ltac:(lra)). lra.
-  - rewrite E in Z. lra.
+  intros Hp Z. destruct root as (p & Hp' & Zp & Le & Ri).
+  assert (189 / 100 <= PI) by (interval with (i_prec 60)).
+  assert (0 < K (189 / 100)) by (unfold K; interval with (i_prec 60)). apply Rnot_le_lt. intros N.
+  assert (189 / 100 < p) by (apply Rnot_le_lt; intros [M|M]; [specialize (Ri (189 / 100))|rewrite M in Zp];
+    lra).
+  specialize (Le ps ltac:(lra)). lra.
 Qed.
 
 (** [kappa-large] Where merging is possible, the longest slip that ends in $S_0$ is longer than the angle $4\pi/3$. *)
@@ -26,8 +28,7 @@ Proof.
   { rewrite Dc. replace (2 / (m1 / (m1 + m2))) with (2 + 2 * (m2 / m1)) by (field; lra).
     assert (100 / 81 <= m2 / m1). { undivide m1. lra. } lra. }
   assert (D3 : depth (2 * (PI / 3)) < 446 / 100) by (interval with (i_prec 60)). assert (G : 2 * (PI / 3) < pc).
-  { destruct (Rlt_dec (2 * (PI / 3)) pc) as [|n]; auto.
-    destruct (Req_dec pc (2 * (PI / 3))) as [E|]; [rewrite E in Q; lra|].
-    pose proof (depth_incr pc (2 * (PI / 3)) ltac:(lra) ltac:(lra) ltac:(lra)). lra. }
+  { apply Rnot_le_lt. intros N.
+    pose proof (rising_le PI depth pc (2 * (PI / 3)) depth_incr ltac:(lra) N ltac:(lra)). lra. }
   pose proof (ct_falls (2 * (PI / 3)) pc ltac:(lra) G ltac:(lra)) as F. rewrite ct_2PI3 in F. lra.
 Qed.

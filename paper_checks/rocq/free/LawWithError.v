@@ -8,9 +8,7 @@ Definition gain r p := let s := (depth p / hh p) ^ 2 in
 
 Section Law.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let q := m1 / (m1 + m2).
-Let r := m2 / (m1 + m2).
-Let om := omega m1 m2 a2.
+Context (q := m1 / (m1 + m2)) (r := m2 / (m1 + m2)) (om := omega m1 m2 a2).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let w t := energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr m1 m2 a2 b - 1.
 
@@ -37,9 +35,8 @@ Proof.
   assert (Y : forall i, 0 < y i) by (intros; apply pow_lt, U).
   assert (Push : forall i, hh (ph i) <= hh p) by (intros i; exact (push_below m1 m2 Hm1 Hm2 p Hok i)).
   assert (Quarter : forall i, 0 < ph i <= PI / 4).
-  { intros i. split; [apply Pi|]. apply hh_le; [apply Pi|lra|]. apply Rle_trans with (1 := Push i). apply Rle_trans with (1 := Hh).
-    unfold hh. rewrite sin_PI4, cos_PI4. right. assert (S2 : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
-    assert (0 < sqrt 2) by positive. field_simplify_eq; [nra|lra]. }
+  { intros i. split; [apply Pi|]. apply hh_le; [apply Pi|lra|]. rewrite (proj1 quarter). pose proof (Push i).
+    lra. }
   assert (W : forall i, w (tim m1 m2 a2 t0 p i) = q * y i).
   { intros i. pose proof (exit_level m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hok HR i) as E. cbv beta in E.
     unfold w. rewrite E. fold q. unfold y, ph. pose proof (SharpRate.Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb). field. lra. }

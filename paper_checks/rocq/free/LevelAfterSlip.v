@@ -27,19 +27,10 @@ Proof.
   replace (hh p ^ 2 - 2 * w * D + a * D ^ 2) with (hh p ^ 2 - w ^ 2 / a + (a * D - w) ^ 2 / a) by (field; lra). lra.
 Qed.
 
-(** at D = c it is the level after an excursion from a ray *)
-Lemma parabola_ray p : 0 < p < PI -> parabola p (depth p) = hh p ^ 2 - r * depth p ^ 2.
+(** beyond D = c, where it is the level after an excursion from a ray *)
+Lemma parabola_ray p d : 0 < p < PI -> parabola p (depth p + d) =
+  hh p ^ 2 - r * depth p ^ 2 + d * (depth p * (ct p ^ 2 + 2 * q - 1) + d * (ct p ^ 2 + q)).
 Proof. intros Hp. pose proof (half_depth p Hp) as I. unfold parabola, r. rewrite <- I. ring. Qed.
-
-(** where k^2 + 2 q >= 1 it rises from there on *)
-Lemma parabola_rises p D : 0 < p < PI -> 1 <= ct p ^ 2 + 2 * q -> depth p <= D ->
-  hh p ^ 2 - r * depth p ^ 2 <= parabola p D.
-Proof.
-  intros Hp Hk HD. rewrite <- parabola_ray by auto. pose proof (half_depth p Hp) as I. pose proof (depth_pos p Hp) as C.
-  unfold parabola. rewrite <- I. set (c := depth p) in *. set (k2 := ct p ^ 2) in *.
-  assert (0 <= (D - c) * ((k2 + q) * (D - c) + c * (k2 + 2 * q - 1))); [|lra]. apply Rmult_le_pos; [lra|].
-  assert (0 <= (k2 + q) * (D - c)) by positive. assert (0 <= c * (k2 + 2 * q - 1)) by positive. lra.
-Qed.
 
 (** the least value at the angle where k^2 + 2 q = 1 *)
 Lemma least_at_turn p : 0 < p < PI -> ct p ^ 2 + 2 * q = 1 -> least p = hh p ^ 2 - r * depth p ^ 2.
@@ -86,22 +77,22 @@ Proof.
 Qed.
 
 (** No level is below the least one of excursions from a ray. *)
-Lemma above_rays p D : r * (1 + PI) <= PI -> (forall p, 0 < p < PI -> 0 < hh p ^ 2 - r * depth p ^ 2) ->
-  0 < p < PI -> depth p <= D -> 0 < parabola p D.
+Lemma above_rays p d : r * (1 + PI) <= PI -> (forall p, 0 < p < PI -> 0 < hh p ^ 2 - r * depth p ^ 2) ->
+  0 < p < PI -> 0 <= d -> 0 < parabola p (depth p + d).
 Proof.
-  intros Hr Rays Hp HD. destruct (Rle_dec 1 (ct p ^ 2 + 2 * q)) as [n|n].
-  { pose proof (parabola_rises p D Hp n HD). pose proof (Rays p Hp). lra. }
+  intros Hr Rays Hp Hd. destruct (Rle_dec 1 (ct p ^ 2 + 2 * q)) as [n|n].
+  { rewrite parabola_ray by auto. pose proof (Rays p Hp). pose proof (depth_pos p Hp).
+    pose proof (leading_pos p).
+    assert (0 <= d * (depth p * (ct p ^ 2 + 2 * q - 1) + d * (ct p ^ 2 + q))) by positive. lra. }
   apply Rnot_le_lt in n. pose proof (pow2_ge_0 (ct p)). destruct turn_ex as (t & Ht & Et & Ct); [lra|].
   apply Rlt_le_trans with (least p); [|apply parabola_least]. assert (Pt : p < t).
-  { apply Rnot_le_lt. intros N.
-    assert (ct p <= ct t) by (destruct (Req_dec p t) as [->|]; [|apply Rlt_le, ct_falls]; lra).
-    nra. }
+  { apply Rnot_le_lt. intros N. pose proof (ct_le t p ltac:(lra) N ltac:(lra)). nra. }
   assert (Fall : least t <= least p).
-  { destruct (MVT_cor2 least slope p t Pt) as (u & E & Hu). { intros u Hu. apply is_derive_Reals, derive_least; lra. }
-    assert (U : ct u ^ 2 + 2 * q <= 1).
-    { pose proof (ct_falls p u ltac:(lra) ltac:(lra) ltac:(lra)).
-      pose proof (ct_falls u t ltac:(lra) ltac:(lra) ltac:(lra)). assert (ct p < - ct t) by nra. nra. }
-    assert (slope u <= 0); [|assert (0 <= (- slope u) * (t - p)) by positive; lra].
+  { apply Ropp_le_cancel, (rises (fun p => - least p) (fun u => - slope u)); [lra| |]; intros u Hu;
+      [apply (is_derive_opp least), derive_least; lra|].
+    pose proof (ct_falls p u ltac:(lra) ltac:(lra) ltac:(lra)).
+    pose proof (ct_falls u t ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (U : ct u ^ 2 + 2 * q <= 1) by (assert (ct p < - ct t) by nra; nra).
     pose proof (push_positive u Hr ltac:(lra)). pose proof (depth_pos u ltac:(lra)). pose proof (pow2_ge_0 (ct u)).
     unfold slope. set (F := depth u * (1 + ct u ^ 2) / (ct u ^ 2 + q) ^ 2).
     assert (0 <= F * (1 - (ct u ^ 2 + 2 * q)) * (q * hh u + ct u)); [|lra]. apply Rmult_le_pos; [positive|]; lra. }

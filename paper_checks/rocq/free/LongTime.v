@@ -89,11 +89,8 @@ Qed.
 
 Section Law.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let q := m1 / (m1 + m2).
-Let r := m2 / (m1 + m2).
-Let om := omega m1 m2 a2.
-Let C := 4 * PI * q / (9 * r).
-Let B := 1 - 2 / (5 * r).
+Context (q := m1 / (m1 + m2)) (r := m2 / (m1 + m2)) (om := omega m1 m2 a2) (C := 4 * PI * q / (9 * r))
+  (B := 1 - 2 / (5 * r)).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let w t := energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr m1 m2 a2 b - 1.
 Context (lo hi long : R) (Lo : lo <= 0 <= hi) (Long : 0 <= long).

@@ -57,15 +57,6 @@ Proof.
   split; split; intros; lra.
 Qed.
 
-(** the share of body 2 beside the least ratio, as the critical mass ratio beside that of the masses *)
-Lemma ratio_share p m1 m2 : 0 < p < PI -> K p = 0 -> 0 < m1 -> 0 < m2 ->
-  0 < m2 / (m1 + m2) * ratio p ^ 2 /\
-  m2 / (m1 + m2) - ratio p ^ 2 = (- cos (2 * p) - m1 / m2) * (m2 / (m1 + m2) * ratio p ^ 2).
-Proof.
-  intros Hp Z H1 H2. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. rewrite (ratio_root p Hp Z), cos_2a_sin.
-  split; [|field; lra]. apply Rmult_lt_0_compat; [positive|apply Rinv_0_lt_compat; nra].
-Qed.
-
 (** the set of half angles that merge at the first landing, r = m2/(m1+m2): empty, or [pl, pu] around phi* *)
 Theorem merging_angles : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2, 0 < m1 -> 0 < m2 ->
   let r := m2 / (m1 + m2) in

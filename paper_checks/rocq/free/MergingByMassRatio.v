@@ -17,16 +17,11 @@ Qed.
 
 Section Rounds.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let q := m1 / (m1 + m2).
-Let o1 := o1 m1 a2.
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
-Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
-Let O0 : 0 < o1. Proof. apply o1_pos; auto. Qed.
+Context (q := m1 / (m1 + m2)) (o1 := o1 m1 a2) (L := L m1 m2 a2 b) (Ecr := Ecr m1 m2 a2 b)
+  (E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) (O0 : 0 < o1 := o1_pos m1 a2 Hm1 Ha2).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
-Let Emono t u : 0 <= t <= u -> E u <= E t.
-Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). Qed.
+Let Emono t u : 0 <= t <= u -> E u <= E t := E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t u.
 (** a contact in S0 above E_cr *)
 Let above t := 0 <= t /\ v1 t = v2 t /\ - L <= x t <= L /\ Ecr < E t.
 
@@ -97,13 +92,12 @@ Lemma reentry_above t0 t : first_reentry L x v1 v2 t0 t -> forall k d u, k = 1 \
   (0 < d \/ (d = 0 /\ 0 < u)) -> at_gap m1 m2 a2 b k d u x v1 v2 t0 -> above t.
 Proof.
   induction 1 as [t0 t1 C I|t0 t1 t C O F IH]; intros k d u Hk Ht Hd HG.
-  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1)
-    by positive.
-  all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & Sg & A & B & V & En);
-    fold o1 in Sg, A, B, V, En.
-  all: assert (T : t1 = t0 + 2 * p / o1) by (apply (contact_unique v1 v2 t0); auto; split; [lra|split;
-    [intros t' Hu Q; specialize (Sg t' Hu); rewrite Q in Sg; lra|destruct Hk; subst k; lra]]).
-  all: rewrite <- T in *; destruct C as (T1 & _ & Ev).
+  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; pose proof (contact_unique _ _
+    _ _ _ C
+    (slip_contact m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k d p t0 Hk Ht D0 Hp HG)) as T.
+  all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & _ & _ & _ & _
+    & En).
+  all: rewrite <- T in En; destruct C as (T1 & _ & Ev).
   all: assert (HE : Ecr < E t1) by (unfold E; rewrite En; fold q Ecr; pose proof (high p d Hp D0);
     assert (0 < Ecr * (q * level m1 m2 p d)) by positive; lra).
   - repeat split; auto; lra.

@@ -49,11 +49,10 @@ Proof.
     apply Rmult_lt_reg_r in Lt; [nra|positive]. }
   intros a2 b Ha Hb level. pose proof (q_pos m1 m2 H1 H2) as Q0. pose proof (Ecr_pos m1 m2 a2 b H1 H2 Ha Hb) as E0.
   set (q := m1 / (m1 + m2)) in *. set (Ec := Ecr m1 m2 a2 b) in *.
-  assert (Inc : forall p p', 0 < p < PI -> 0 < p' < PI -> p < p' -> level p < level p').
-  { intros p p' Hp Hp' Lt. apply Rmult_lt_compat_l, Rplus_lt_compat_l, Rmult_lt_compat_l, hh_sq; auto. }
-  assert (Le : forall p p', 0 < p < PI -> 0 < p' < PI -> (level p <= level p' <-> p <= p')).
-  { intros p p' Hp Hp'. pose proof (Inc p p' Hp Hp'). pose proof (Inc p' p Hp' Hp).
-    destruct (Rtotal_order p p') as [L|[->|L]]; split; lra. }
+  assert (Inc : rising PI level).
+  { intros p p' Hp Lt Hp'. apply Rmult_lt_compat_l, Rplus_lt_compat_l, Rmult_lt_compat_l, hh_sq; auto; lra. }
+  assert (Le : forall p p', 0 < p < PI -> 0 < p' < PI -> (level p <= level p' <-> p <= p'))
+    by (intros p p' Hp Hp'; apply (rising_iff PI level p p' Inc Hp Hp')).
   split.
   { unfold level. pose proof (pow_lt _ 2 (hh_pos pl ltac:(lra))) as P.
     pose proof (Rmult_lt_0_compat _ _ E0 (Rmult_lt_0_compat _ _ Q0 P)). lra. }

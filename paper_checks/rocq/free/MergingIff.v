@@ -21,15 +21,11 @@ Lemma after_crossing t0 t : first_reentry (L m1 m2 a2 b) x v1 v2 t0 t -> 0 <= t0
   0 <= t /\ v1 t = v2 t /\ Ecr m1 m2 a2 b < energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Proof.
   induction 1 as [t0 t1 C1 I1|t0 t1 t C1 O1 F IH]; intros Ht p Cr;
-    destruct (next_contact m1 m2 a2 b Hm1 Hm2 Ha2 Hb pc Hpc Dc HK x v1 v2 s H t0 p Ht Cr) as (E & N & Or);
-      cbv zeta in *.
-  all: assert (T : t1 = t0 + 2 * p / o1 m1 a2).
-  1,3: apply (contact_unique v1 v2 t0); auto; split; [|auto]; destruct Cr as (_ & _ & _ & _ & Hp & _);
-    pose proof (o1_pos m1 a2 Hm1 Ha2); assert (0 < 2 * p / o1 m1 a2) by positive; lra.
-  - rewrite <- T in *. destruct C1 as (T1 & _).
-    destruct Or as [(p' & Cr' & _)|(_ & _ & HE & _)]; [exfalso; exact (crossed_out t1 p' Cr' I1)|]. split; [lra|auto].
-  - rewrite <- T in *. destruct C1 as (T1 & _). destruct Or as [(p' & Cr' & _)|(_ & I1 & _)]; [|contradiction].
-    apply (IH ltac:(lra) p' Cr').
+    destruct (next_contact m1 m2 a2 b Hm1 Hm2 Ha2 Hb pc Hpc Dc HK x v1 v2 s H t0 p Ht Cr) as (C & Or);
+    cbv zeta in *; rewrite <- (contact_unique _ _ _ _ _ C1 C) in Or; destruct C1 as (T1 & _ & Ev).
+  - destruct Or as [(p' & Cr' & _)|(_ & _ & HE & _)]; [exfalso; exact (crossed_out t1 p' Cr' I1)|].
+    split; [lra|auto].
+  - destruct Or as [(p' & Cr' & _)|(_ & I1 & _)]; [|contradiction]. apply (IH ltac:(lra) p' Cr').
 Qed.
 
 (** the first re-entry after an exit with the half angle p sticks for ever exactly if hh^2 <= r depth^2 *)
@@ -40,10 +36,9 @@ Theorem first_reentry_iff k t0 t p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI ->
 Proof.
   intros Hk Ht Hp HR F. destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hp
     HR) as (Sg & Ev & Ex & En & Iff & Dp).
-  pose proof (o1_pos m1 a2 Hm1 Ha2). assert (T0 : 0 < 2 * p / o1 m1 a2) by positive.
-  assert (C : contact_after v1 v2 t0 (t0 + 2 * p / o1 m1 a2)).
-  { split; [lra|]. split; [|auto]. intros t' Hu E. specialize (Sg t' Hu). rewrite E in Sg. lra. }
-  inversion F as [t0' t1 C1 I1|t0' t1 t' C1 O1 F1]; subst.
+  pose proof (proj1 (ray_gap m1 m2 a2 b k _ x v1 v2 t0) HR) as HG. rewrite <- push_0 in HG.
+  pose proof (slip_contact m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k 0 p t0 Hk Ht (Rle_refl 0) Hp HG) as C.
+  pose proof (proj1 C) as T0. inversion F as [t0' t1 C1 I1|t0' t1 t' C1 O1 F1]; subst.
   - rewrite (contact_unique _ _ _ _ _ C1 C). exact Iff.
   - pose proof (contact_unique _ _ _ _ _ C1 C) as T. subst t1. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0.
     pose proof (q_pos m1 m2 Hm1 Hm2) as Q0. assert (Lg : pc < p).

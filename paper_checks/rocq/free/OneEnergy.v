@@ -6,8 +6,7 @@ From InertialPair Require Import Dini Pair Stick Excursion FollowArc Cycle Cycle
 
 Section OneEnergy.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let q := m1 / (m1 + m2).
-Let Ecr := Ecr m1 m2 a2 b.
+Context (q := m1 / (m1 + m2)) (Ecr := Ecr m1 m2 a2 b).
 
 (** at the time t0 the solution is on S0 with the energy e *)
 Definition from_S0 e (x v1 v2 : R -> R) t0 := (exists s, solution m1 m2 0 a2 b x v1 v2 s) /\ 0 <= t0 /\ v1 t0 = v2 t0 /\

@@ -7,35 +7,27 @@ From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunc
 (** *** Two functions of the half angle: c/h^2 falls, 2 p - h grows *)
 Lemma depth_share p p0 : 0 < p -> p <= p0 -> p0 < PI -> depth p0 / hh p0 ^ 2 <= depth p / hh p ^ 2.
 Proof.
-  intros H0 Hp H1. destruct (Req_dec p p0) as [<-|N]; [lra|].
-  destruct (MVT_cor2 (fun p => depth p / hh p ^ 2) (fun p => 2 * (hh p ^ 2 - depth p ^ 2 * (1 + ct p ^ 2)) / hh p ^ 3)
-    p p0 ltac:(lra)) as (u & E & Hu).
-  { intros u Hu. pose proof (hh_pos u ltac:(lra)) as U. apply is_derive_Reals. evar_last.
-    { apply is_derive_div; [apply derive_depth; lra|apply is_derive_pow, derive_hh; lra|simpl; nra]. }
-    simpl. field. lra. }
-  pose proof (sin_gt_0 u ltac:(lra) ltac:(lra)) as S. pose proof (hh_pos u ltac:(lra)) as U.
-  assert (G : 0 <= 2 * (sin u - u * cos u) - (u - sin u * cos u)).
-  { apply (from_zero (fun u => 2 * (sin u - u * cos u) - (u - sin u * cos u)) (fun u => 2 * sin u * (u - sin u)) PI);
-      [|  |rewrite sin_0; ring|lra].
-    - intros t. auto_derive; auto. pose proof (sin2_cos2 t) as SC. unfold Rsqr in SC. lra.
-    - intros t Ht. apply Rmult_le_pos; [pose proof (sin_ge_0 t ltac:(lra) ltac:(lra)); lra|].
-      pose proof (sin_below t ltac:(lra)). lra. }
-  assert (Le : hh u ^ 2 <= depth u ^ 2 * (1 + ct u ^ 2)).
-  { replace (depth u ^ 2 * (1 + ct u ^ 2)) with ((2 * (sin u - u * cos u) / sin u ^ 2) ^ 2)
-      by (unfold depth, ct; trig u). apply pow_incr. split; [positive|]. apply Rmult_le_compat_r; [positive|lra]. }
-  assert (2 * (hh u ^ 2 - depth u ^ 2 * (1 + ct u ^ 2)) / hh u ^ 3 <= 0); [|nra]. undivide (hh u ^ 3). lra.
+  intros H0 Hp H1. apply Ropp_le_cancel. apply (rises (fun p => - (depth p / hh p ^ 2))
+    (fun p => 2 * (depth p ^ 2 * (1 + ct p ^ 2) - hh p ^ 2) / hh p ^ 3)); [auto| |]; intros u Hu;
+    pose proof (hh_pos u ltac:(lra)) as U.
+  - evar_last. { apply (is_derive_opp (fun p => depth p / hh p ^ 2)), is_derive_div; [apply derive_depth; lra|
+      apply is_derive_pow, derive_hh; lra|simpl; nra]. }
+    unfold opp; simpl. field. lra.
+  - pose proof (sin_gt_0 u ltac:(lra) ltac:(lra)) as S.
+    assert (G : u - sin u * cos u <= 2 * (sin u - u * cos u)).
+    { assert (u < PI) by lra. from_zero u (fun u => 2 * sin u * (u - sin u)). intros t Ht.
+      pose proof (sin_ge_0 t ltac:(lra) ltac:(lra)). pose proof (sin_below t ltac:(lra)). positive. }
+    assert (Le : hh u ^ 2 <= depth u ^ 2 * (1 + ct u ^ 2)); [|positive].
+    replace (depth u ^ 2 * (1 + ct u ^ 2)) with ((2 * (sin u - u * cos u) / sin u ^ 2) ^ 2)
+      by (unfold depth, ct; trig u). apply pow_incr. split; [positive|].
+      apply Rmult_le_compat_r; [positive|lra].
 Qed.
 Lemma inward_grows p p0 : 0 < p -> p <= p0 -> p0 <= PI / 2 -> 2 * p - hh p <= 2 * p0 - hh p0.
 Proof.
-  intros H0 Hp H1. destruct (Req_dec p p0) as [<-|N]; [lra|].
-  destruct (MVT_cor2 (fun p => 2 * p - hh p) (fun p => 2 - depth p * (1 + ct p ^ 2)) p p0 ltac:(lra)) as (u & E & Hu).
-  { intros u Hu. apply is_derive_Reals. apply (is_derive_minus (fun p => 2 * p) hh u 2); [|apply derive_hh; lra].
-    auto_derive; auto. ring. }
-  pose proof (A_pos u ltac:(lra)). pose proof (sin_gt_0 u ltac:(lra) ltac:(lra)) as S.
-  pose proof (cos_ge_0 u ltac:(lra) ltac:(lra)).
-  assert (2 - depth u * (1 + ct u ^ 2) = 2 * ((u - sin u * cos u) * cos u / sin u ^ 3)).
-  { unfold depth, ct. trig u. }
-  assert (0 <= (u - sin u * cos u) * cos u / sin u ^ 3) by positive. nra.
+  intros H0 Hp H1. apply (rises (fun p => 2 * p - hh p) (fun u => 2 * ((u - sin u * cos u) * cos u / sin u ^
+    3)));
+    [auto|intros u Hu; slope u|]. intros u Hu. pose proof (A_pos u ltac:(lra)).
+  pose proof (sin_gt_0 u ltac:(lra) ltac:(lra)) as S. pose proof (cos_ge_0 u ltac:(lra) ltac:(lra)). positive.
 Qed.
 
 (** the depth, the push and the half angle: the speed at re-entry *)
@@ -54,11 +46,8 @@ Qed.
 
 Section Bounds.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let q := m1 / (m1 + m2).
-Let r := m2 / (m1 + m2).
-Let om := omega m1 m2 a2.
-Let q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2.
-Let r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2.
+Context (q := m1 / (m1 + m2)) (r := m2 / (m1 + m2)) (om := omega m1 m2 a2)
+  (q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2) (r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2).
 Let qr : q + r = 1 := qr_one m1 m2 Hm1 Hm2.
 
 (** pushes up to 2/3, and their depths *)
@@ -129,26 +118,25 @@ Let w t := energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr m1 m2 a2 b - 1.
 
 (** *** The bounds: all later cycles are bounded by the first *)
 
-(** [rate-bounds] From an exit ray with $y_0\leqslant\tfrac{4}{9}$ on, $w$ lies between $q/(1/y_0+A(s/T_-+1))$ and
-    $q/(1/y_0+a'(s/T_+-1))$, the constants explicit in the first excursion. *)
-Theorem rate_bounds k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> hh p <= 2 / 3 ->
-  on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 -> let y0 := hh p ^ 2 in let c0 := depth p in
-  let a := r * c0 ^ 2 / y0 ^ 2 in let A := 9 / 4 * r / (1 - r * c0 ^ 2 / y0) in
-  let Tu := PI + sqrt q * (2 * p) in let Tl := PI - sqrt q * (2 * p - hh p) * (q * c0 / (1 - q * c0)) in
-  w t0 = q * y0 /\ forall t, t0 <= t ->
-  q / (/ y0 + A * (om * (t - t0) / Tl + 1)) <= w t <= q / (/ y0 + a * (om * (t - t0) / Tu - 1)).
+Section First.
+Variables k t0 p : R.
+Hypotheses (Hk : k = 1 \/ k = -1) (Ht : 0 <= t0) (Hp : 0 < p < PI) (Hh : hh p <= 2 / 3)
+  (HR : on_ray m1 m2 a2 b k (hh p) x v1 v2 t0).
+Context (y0 := hh p ^ 2) (c0 := depth p) (a := r * c0 ^ 2 / y0 ^ 2) (A := 9 / 4 * r / (1 - r * c0 ^ 2 / y0))
+  (Tu := PI + sqrt q * (2 * p)) (Tl := PI - sqrt q * (2 * p - hh p) * (q * c0 / (1 - q * c0))).
+Lemma level_between t : t0 <= t ->
+  / y0 + a * (om * (t - t0) / Tu - 1) <= / (w t / q) <= / y0 + A * (om * (t - t0) / Tl + 1).
 Proof.
-  intros Hk Ht Hp Hh HR y0 c0 a A Tu Tl. destruct (ok_push p Hp Hh) as (Hok & C1 & Dp). pose proof (hh_pos p Hp) as U0.
-  pose proof (depth_pos p Hp) as C0. fold c0 in C0, C1. pose proof PI2_3_2 as P3.
-  pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as O0. fold om in O0.
-  pose proof (SharpRate.Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as E0. assert (Y0 : 0 < y0) by (unfold y0; positive).
+  destruct (ok_push p Hp Hh) as (Hok & C1 & Dp). pose proof (hh_pos p Hp) as U0.
+  pose proof (depth_pos p Hp : 0 < c0) as C0. change (depth p) with c0 in C1. pose proof PI2_3_2 as P3.
+  assert (Y0 : 0 < y0) by positive.
   assert (Loss : r * c0 ^ 2 / y0 < 1) by (destruct Hok as (_ & K); undivide y0; fold r c0 y0 in K; lra).
-  assert (Loss0 : 0 < r * c0 ^ 2 / y0) by positive.
   assert (A0 : 0 <= A) by (unfold A; apply Rlt_le, Rdiv_lt_0_compat; lra). assert (a0 : 0 <= a) by positive.
   assert (Qc : forall c, 0 < c <= c0 -> 0 < q * c <= 2 / 3) by (intros c Hc; split; [positive|nra]).
   assert (Part : forall c, 0 < c <= c0 -> 0 < q * c / (1 - q * c) <= q * c0 / (1 - q * c0) /\
     q * c / (1 - q * c) <= 2).
-  { intros c Hc. pose proof (Qc c Hc). pose proof (Qc c0 ltac:(lra)). assert (q * c <= q * c0) by scale. split; [split; [positive|]|undivide (1 - q * c); lra].
+  { intros c Hc. pose proof (Qc c Hc). pose proof (Qc c0 ltac:(lra)). assert (q * c <= q * c0) by scale.
+    split; [split; [positive|]|undivide (1 - q * c); lra].
     apply Rmult_le_compat; [lra|positive|lra|apply Rinv_le_contravar; lra]. }
   assert (S1 : 0 < sqrt q <= 1) by (split; [positive|rewrite <- sqrt_1; apply sqrt_le_1_alt; lra]).
   assert (TlP : 0 < Tl). { destruct (Part c0 ltac:(lra)) as ((G & _) & G2). unfold Tl. pose proof (back p (proj1 Hok)).
@@ -160,14 +148,8 @@ Proof.
   assert (Le : forall n, 0 < ph n <= p) by (intros n; split; [apply Pi|exact (phi_0 r r_pos ph Pi Step n)]).
   assert (Push : forall n, hh (ph n) <= hh p) by (intros n; exact (push_below m1 m2 Hm1 Hm2 p Hok n)).
   assert (Cn : forall n, 0 < depth (ph n) <= c0).
-  { intros n. split; [apply depth_pos, Pi|]. destruct (Req_dec (ph n) p) as [->|N]; [unfold c0; lra|].
-    pose proof (Le n). apply Rlt_le, depth_incr; lra. }
-  assert (Wt : forall t, w t = q * (w t / q)) by (intros; field; lra).
-  split.
-  { pose proof (exit_level m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hok HR 0) as E.
-    change (energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) = Stick.Ecr m1 m2 a2 b * (1 + q * y0)) in E. unfold w. rewrite E. field. lra. }
-  intros t Hu. pose proof (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hok HR t ltac:(lra)) as NM.
-  assert (Wp : 0 < w t / q). { apply Rdiv_lt_0_compat; auto. apply Rlt_Rminus. undivide (Stick.Ecr m1 m2 a2 b). lra. }
+  { intros n. split; [apply depth_pos, Pi|]. pose proof (Le n).
+    apply (rising_le PI depth (ph n) p depth_incr); lra. }
   assert (Gain : forall n, a <= / hh (ph (S n)) ^ 2 - / hh (ph n) ^ 2 <= A).
   { intros n. assert (Y' : 0 < hh (ph (S n)) ^ 2) by (apply pow_lt, hh_pos, Pi).
     specialize (Step n). set (yn := hh (ph n) ^ 2) in *. set (y' := hh (ph (S n)) ^ 2) in *. set (c := depth (ph n)) in *.
@@ -199,15 +181,37 @@ Proof.
     - apply Rle_trans with (2 := T1). apply Rplus_le_compat_l, Ropp_le_contravar.
       apply Rmult_le_compat; [positive|lra|scale|lra].
     - apply Rle_trans with (1 := T2). apply Rplus_le_compat_l. scale. }
-  assert (B : / y0 + a * (om * (t - t0) / Tu - 1) <= / (w t / q) <= / y0 + A * (om * (t - t0) / Tl + 1)).
-  { destruct (between m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hok HR a Tu t a0) as (Lo & Up); auto.
-    - intros n. apply Gain.
-    - intros n. split; [apply Rlt_le_trans with Tl; [auto|]|]; apply Time.
-    - split; [exact Lo|]. apply Up; auto; intros n; [apply Gain|apply Time]. }
+  intros Hu. exact (between m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hok HR a A Tl Tu t a0 A0 TlP
+    Gain Time Hu).
+Qed.
+End First.
+
+(** [rate-bounds] From an exit ray with $y_0\leqslant\tfrac{4}{9}$ on, $w$ lies between $q/(1/y_0+A(s/T_-+1))$ and
+    $q/(1/y_0+a'(s/T_+-1))$, the constants explicit in the first excursion. *)
+Theorem rate_bounds k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> hh p <= 2 / 3 ->
+  on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 -> let y0 := hh p ^ 2 in let c0 := depth p in
+  let a := r * c0 ^ 2 / y0 ^ 2 in let A := 9 / 4 * r / (1 - r * c0 ^ 2 / y0) in
+  let Tu := PI + sqrt q * (2 * p) in let Tl := PI - sqrt q * (2 * p - hh p) * (q * c0 / (1 - q * c0)) in
+  w t0 = q * y0 /\ forall t, t0 <= t ->
+  q / (/ y0 + A * (om * (t - t0) / Tl + 1)) <= w t <= q / (/ y0 + a * (om * (t - t0) / Tu - 1)).
+Proof.
+  intros Hk Ht Hp Hh HR y0 c0 a A Tu Tl. destruct (ok_push p Hp Hh) as (Hok & _).
+  pose proof (hh_pos p Hp) as U0.
+  pose proof (SharpRate.Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as E0. assert (Y0 : 0 < y0) by (unfold y0; positive).
+  pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2 : 0 < om) as O0. pose proof (depth_pos p Hp : 0 < c0) as C0.
+  pose proof PI_RGT_0. assert (Wt : forall t, w t = q * (w t / q)) by (intros; field; lra). split.
+  { pose proof (exit_level m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hok HR 0 :
+      energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) = Stick.Ecr m1 m2 a2 b * (1 + q * y0)) as E. unfold w. rewrite E.
+        field. lra. }
+  intros t Hu. pose proof (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hok HR t ltac:(lra)) as NM.
+  assert (Wp : 0 < w t / q). { apply Rdiv_lt_0_compat; auto. apply Rlt_Rminus. undivide (Stick.Ecr m1 m2 a2 b). lra. }
+  pose proof (level_between k t0 p Hk Ht Hp Hh HR t Hu) as B. fold y0 c0 in B. fold a A Tu Tl in B.
   assert (Den : 0 < / y0 + a * (om * (t - t0) / Tu - 1)).
-  { assert (a < / y0). { unfold a. replace (r * c0 ^ 2 / y0 ^ 2) with (r * c0 ^ 2 / y0 * / y0) by (field; lra).
+  { assert (Loss : r * c0 ^ 2 / y0 < 1) by (destruct Hok as (_ & K); undivide y0; fold r c0 y0 in K; lra).
+    assert (a < / y0). { unfold a. replace (r * c0 ^ 2 / y0 ^ 2) with (r * c0 ^ 2 / y0 * / y0) by (field;
+      lra).
       rewrite <- (Rmult_1_l (/ y0)) at 2. scale. }
-    assert (0 <= a * (om * (t - t0) / Tu)) by positive. lra. }
+    assert (0 <= a * (om * (t - t0) / Tu)) by (unfold a, Tu; positive). lra. }
   rewrite (Wt t). rewrite <- (Rinv_inv (w t / q)).
   split; apply Rmult_le_compat_l; try lra; apply Rinv_le_contravar; lra.
 Qed.

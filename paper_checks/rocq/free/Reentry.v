@@ -1,7 +1,7 @@
 (** After a crossing: every short slip that ends in S0 stays above E_cr; so does the first re-entry after any number
     of crossings. *)
 From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle SlipFromGap AlternatingAngles AfterOneSlip
-  AlternatingSlips ShortSlipMargin.
+  AlternatingSlips ShortSlipMargin ReturnToS0.
 
 (** p <= pi - pc gives q >= 1/(1 + (pi - p) k), so the margin holds *)
 Lemma short_margin q pc p : 0 < q -> PI / 2 < pc < PI -> depth pc = 2 / q -> 0 < p <= PI - pc ->
@@ -16,8 +16,8 @@ Proof.
     (* 2 (h~ + h) = 2 pi (1 + k^2); the theta's cancel *)
     
     assert (Q : hh p = p * (1 + ct p ^ 2) - ct p) by (unfold hh, ct; trig p). lra. }
-  assert (Le : depth pc <= depth (PI - p)) by (destruct (Req_dec pc (PI - p)) as [<-|]; [|apply Rlt_le, depth_incr];
-    lra). rewrite Dc, De in Le. apply (Rle_div_l 2 _ q) in Le; [|lra]. set (w := 1 + (PI - p) * ct p) in *.
+  pose proof (rising_le PI depth pc (PI - p) depth_incr ltac:(lra) ltac:(lra) ltac:(lra)) as Le.
+  rewrite Dc, De in Le. apply (Rle_div_l 2 _ q) in Le; [|lra]. set (w := 1 + (PI - p) * ct p) in *.
   apply Rmult_lt_reg_r with w; [unfold w; lra|]. apply Rlt_le_trans with (1 := M).
   assert (0 <= (w * q - 1) * hh p ^ 2) by positive. lra.
 Qed.
@@ -48,15 +48,13 @@ Qed.
 (** after a crossing the next contact is either again a crossing, or in S0 above E_cr, whence it sticks up to a ray:
     no merging there *)
 Theorem next_contact t0 p : 0 <= t0 -> crossed m1 m2 a2 b pc x v1 v2 t0 p -> let t1 := t0 + 2 * p / o1 m1 a2 in
-  v1 t1 = v2 t1 /\ (forall t, t0 < t < t1 -> v1 t <> v2 t) /\
+  contact_after v1 v2 t0 t1 /\
   ((exists p', crossed m1 m2 a2 b pc x v1 v2 t1 p' /\ (pc <= p -> p' <= PI - pc) /\ (p <= PI - pc -> pc <= p')) \/
    (p <= PI - pc /\ - L m1 m2 a2 b <= x t1 <= L m1 m2 a2 b /\ Ecr m1 m2 a2 b < energy m1 m2 a2 (x t1) (v1 t1) (v2 t1) /\
     exists k u t2, (k = 1 \/ k = -1) /\ 0 < u /\ t1 <= t2 /\ on_ray m1 m2 a2 b k u x v1 v2 t2)).
 Proof.
   intros Ht (k & d & Hk & Hd & Hp & Ls & HG) t1.
-  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht ltac:(lra) Hp HG) as (_ & Sg & _ & B & C
-    & _). fold t1 in Sg, B, C.
-  split; [destruct Hk; subst k; lra|]. split. { intros t Hu E. specialize (Sg t Hu). rewrite E in Sg. lra. }
+  split; [exact (slip_contact m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k d p t0 Hk Ht ltac:(lra) Hp HG)|].
   destruct (Rlt_dec (2 / q) (depth p + d)) as [HD|N].
   - left. destruct (alternation m1 m2 a2 b x v1 v2 s k t0 d p pc Hm1 Hm2 Ha2 Hb Hpc Dc HK Hk H Ht ltac:(lra) Hp HG
     HD) as (p' & Hp' & D' & G & A1 & A2).
@@ -64,7 +62,7 @@ Proof.
       repeat (split; [auto; fail|]). split; [|auto].
     destruct Ls as [I|I]; [right; auto|left; auto].
   - right. apply Rnot_lt_le in N. assert (Sh : p <= PI - pc). { destruct Ls as [I|]; auto. exfalso.
-      assert (depth pc <= depth p); [|lra]. destruct (Req_dec pc p) as [<-|]; [|apply Rlt_le, depth_incr]; lra. }
+      pose proof (rising_le PI depth pc p depth_incr ltac:(lra) I ltac:(lra)). lra. }
     destruct (reentry m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 d p Hk Ht ltac:(lra) Hp HG N) as (_ & _ & Hx & _
       & _ & _ & Up). assert (Y : 0 < level m1 m2 p d) by (apply level_pos; auto; apply (short_margin q pc); auto; lra).
     destruct (Up Y) as (HE & k' & t2 & Hk' & T2 & HR & _). fold t1 in HE, Hx, T2. repeat (split; [auto; fail|]).

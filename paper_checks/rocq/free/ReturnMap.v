@@ -1,7 +1,6 @@
 (** Orbits of the return map y' = h^2 - r c^2: y_n -> 0 and n y_n -> 4/(9 r). *)
 From InertialPair Require Import Dini Excursion.
 
-(** h in the half angle *)
 Definition hh p := (p - sin p * cos p) / sin p ^ 2.          (* h in the half angle *)
 Definition depth p := 2 * (sin p - p * cos p) / sin p.       (* c = 2 - theta cot(theta/2) *)
 
@@ -16,9 +15,9 @@ Proof. intros Hp. apply Rdiv_lt_0_compat; [apply A_pos; auto|]. apply pow_lt, si
 (** as its square does *)
 Lemma hh_sq p q : 0 < p < PI -> 0 < q < PI -> (hh p ^ 2 < hh q ^ 2 <-> p < q).
 Proof.
-  intros Hp Hq. pose proof (hh_pos p Hp). pose proof (hh_pos q Hq). destruct (Rtotal_order p q) as [L|[->|L]]; [|lra|];
-    [pose proof (hh_incr p q (proj1 Hp) L (proj2 Hq))|pose proof (hh_incr q p (proj1 Hq) L (proj2 Hp))]; split; intros;
-    nra.
+  intros Hp Hq. pose proof (hh_pos p Hp). pose proof (hh_pos q Hq).
+  rewrite <- (proj2 (rising_iff PI hh p q hh_incr Hp Hq)).
+  split; intros; nra.
 Qed.
 Lemma depth_pos p : 0 < p < PI -> 0 < depth p.
 Proof. intros Hp. apply Rdiv_lt_0_compat; [pose proof (g_pos p Hp); lra|apply sin_gt_0; lra]. Qed.
@@ -56,16 +55,13 @@ Qed.
 (** sin p/p decreases strictly *)
 Lemma sinc_strict p q : 0 < p -> p < q -> q < PI -> sin q / q < sin p / p.
 Proof.
-  intros Hp Hpq Hq. assert (Q : (fun u => - (sin u / u)) p < (fun u => - (sin u / u)) q); [|simpl in Q; lra].
-  apply (incr_function (fun u => - (sin u / u)) 0 PI (fun u => (sin u - u * cos u) / u ^ 2)); try (simpl; lra).
-  - intros t T0 T1; simpl in T0, T1. auto_derive; [lra|]. field; lra.
-  - intros t T0 T1; simpl in T0, T1. apply Rdiv_lt_0_compat; [apply g_pos; lra|positive].
+  intros Hp Hpq Hq. apply Ropp_lt_cancel.
+  apply (climbs (fun u => - (sin u / u)) (fun u => (sin u - u * cos u) / u ^ 2)); [lra| |]; intros t Ht.
+  - auto_derive; [lra|]. field; lra.
+  - apply Rdiv_lt_0_compat; [apply g_pos; lra|positive].
 Qed.
-(** sin p/p decreases *)
 Lemma sinc_decr p q : 0 < p -> p <= q -> q < PI -> sin q / q <= sin p / p.
-Proof.
-  intros Hp Hpq Hq. destruct (Req_dec p q) as [->|N]; [lra|]. apply Rlt_le, sinc_strict; lra.
-Qed.
+Proof. intros Hp [L|<-] Hq; [apply Rlt_le, sinc_strict|]; lra. Qed.
 Lemma sinc_pos p : 0 < p < PI -> 0 < sin p / p.
 Proof. intros. apply Rdiv_lt_0_compat; [apply sin_gt_0|]; lra. Qed.
 
@@ -93,6 +89,11 @@ Proof.
   destruct n; [inversion Hn|]. rewrite Sum. simpl pred. field. apply not_0_INR; discriminate.
 Qed.
 
+(** and n steps go between n times their bounds *)
+Lemma steps_between (u : nat -> R) lo hi : (forall n, lo <= u (S n) - u n <= hi) ->
+  forall n, INR n * lo <= u n - u O <= INR n * hi.
+Proof. intros D n. induction n as [|n IH]; [simpl; lra|]. rewrite S_INR. specialize (D n). lra. Qed.
+
 (** what is closer to l than what tends to 0 *)
 Lemma lim_within (u f : nat -> R) (l : R) : (forall n, Rabs (u n - l) <= f n) -> is_lim_seq f 0 -> is_lim_seq u l.
 Proof.
@@ -101,13 +102,20 @@ Proof.
   apply Rle_trans with (1 := B n), Rle_abs.
 Qed.
 
+(** a limit through a smooth function *)
+Lemma lim_through (g : R -> R) u (l : R) : is_lim_seq u l -> ex_derive g l -> is_lim_seq (fun n => g (u n)) (g
+  l).
+Proof.
+  intros U D. apply (is_lim_seq_continuous g); [|exact U].
+  apply continuity_pt_filterlim, (ex_derive_continuous g), D.
+Qed.
+
 Section Orbit.
 Context (r : R) (Hr : 0 < r).
 Context (phi : nat -> R) (Hphi : forall n, 0 < phi n < PI).
 Let y n := hh (phi n) ^ 2.
 Hypothesis step : forall n, y (S n) = y n - r * depth (phi n) ^ 2.
-Let kappa := 9 / 4 * r.
-Let si n := sin (phi n) / phi n.
+Context (kappa := 9 / 4 * r) (si := fun n => sin (phi n) / phi n).
 
 Lemma y_pos n : 0 < y n. Proof. apply pow_lt, hh_pos; auto. Qed.
 (** each excursion loses at most kappa y^2 *)
@@ -196,19 +204,15 @@ Proof.
     - apply is_lim_sinc_0.
     - exists 0%nat. intros n _ E. injection E. pose proof (Hphi n). lra.
     - apply phi_to_zero. }
-  assert (Pl : forall k, is_lim_seq (fun n => si n ^ k) 1).
-  { induction k; simpl. { apply is_lim_seq_const. }
-    replace (Finite 1) with (Rbar_mult 1 1) by (simpl; f_equal; ring). apply is_lim_seq_mult'; auto. }
-  assert (Lo : is_lim_seq (fun n => kappa * si n ^ 12) kappa).
-  { replace (Finite kappa) with (Rbar_mult kappa 1) by (simpl; f_equal; ring). apply is_lim_seq_scal_l, Pl. }
-  assert (Up : is_lim_seq (fun n => kappa / (1 - kappa * y n)) kappa).
-  { replace (Finite kappa) with (Finite (kappa / (1 - kappa * 0))) by (f_equal; field; lra).
-    apply is_lim_seq_div'; [apply is_lim_seq_const| |lra]. apply is_lim_seq_minus'; [apply is_lim_seq_const|].
-      apply is_lim_seq_mult'; [apply is_lim_seq_const|apply y_to_zero]. }
+  pose proof (lim_through (fun z => kappa * z ^ 12) si 1 Sl ltac:(auto_derive; auto)) as Lo.
+  pose proof (lim_through (fun z => kappa / (1 - kappa * z)) y 0 y_to_zero ltac:(auto_derive; lra)) as Up.
+  cbv beta in Lo, Up. replace (kappa * 1 ^ 12) with kappa in Lo by ring.
+  replace (kappa / (1 - kappa * 0)) with kappa in Up by field.
   assert (Ev : eventually (fun n => kappa * y n < 1)).
-  { assert (Z : is_lim_seq (fun n => kappa * y n) (kappa * 0)) by (apply is_lim_seq_mult'; [apply is_lim_seq_const|apply
-      y_to_zero]). apply is_lim_seq_spec in Z. destruct (Z (mkposreal 1 Rlt_0_1)) as (n0 & K). exists n0. intros n Hn.
-    specialize (K n Hn). simpl in K. apply Rabs_def2 in K. lra. }
+  { pose proof (lim_through (fun z => kappa * z) y 0 y_to_zero ltac:(auto_derive; auto)) as Z.
+    apply is_lim_seq_spec in Z.
+    destruct (Z (mkposreal 1 Rlt_0_1)) as (n0 & K). exists n0. intros n Hn. specialize (K n Hn). simpl in K.
+    apply Rabs_def2 in K. lra. }
   apply is_lim_seq_le_le_loc with (fun n => kappa * si n ^ 12) (fun n => kappa / (1 - kappa * y n)); auto.
   destruct Ev as (n0 & K). exists n0. split; [apply d_lower|apply d_upper; auto].
 Qed.

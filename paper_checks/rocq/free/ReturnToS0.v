@@ -2,8 +2,9 @@
 
     Each slip that crosses S0 moves body 1 by more than 2 L, so it lasts some time, so its depth is not small,
       so it costs a fixed amount of energy. *)
-From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap Cycle SlipFromGap ExitOrbit SharpRate
-  AlternatingAngles.
+From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap FollowArc Cycle SlipFromGap
+  ExitOrbit
+  SharpRate AlternatingAngles.
 
 (** t1 is the next contact after t0; t is the first contact in [-l, l] after t0, all earlier ones being crossings *)
 Definition contact_after (v1 v2 : R -> R) t0 t1 := t0 < t1 /\ (forall t, t0 < t < t1 -> v1 t <> v2 t) /\ v1 t1 = v2 t1.
@@ -27,30 +28,20 @@ Qed.
 
 Section Return.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let q := m1 / (m1 + m2).
-Let r := m2 / (m1 + m2).
-Let o1 := o1 m1 a2.
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
-Let q0 : 0 < q. Proof. apply q_pos; auto. Qed.
-Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
-Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
-Let O0 : 0 < o1. Proof. apply o1_pos; auto. Qed.
+Context (q := m1 / (m1 + m2)) (r := m2 / (m1 + m2)) (o1 := o1 m1 a2) (L := L m1 m2 a2 b)
+  (Ecr := Ecr m1 m2 a2 b) (q0 : 0 < q := q_pos m1 m2 Hm1 Hm2) (L0 : 0 < L := L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)
+  (E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) (O0 : 0 < o1 := o1_pos m1 a2 Hm1 Ha2).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
-Let Emono t u : 0 <= t <= u -> E u <= E t.
-Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). Qed.
+Let Emono t u : 0 <= t <= u -> E u <= E t := E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t u.
 
 (** the energy at a gap and a push *)
 Lemma gap_level k d u t : k = 1 \/ k = -1 -> at_gap m1 m2 a2 b k d u x v1 v2 t ->
   E t = Ecr * (1 + q * (u ^ 2 + 2 * d + q * d ^ 2)).
 Proof.
-  intros Hk (A & B & C). pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 u) as R. fold q L Ecr in R, A.
-  assert (V : v2 t = v1 t) by (destruct Hk; subst k; lra). unfold E. rewrite V.
-  replace (energy m1 m2 a2 (x t) (v1 t) (v1 t)) with (energy m1 m2 a2 (k * x t) (k * v1 t) (k * v1 t))
-    by (unfold energy; destruct Hk; subst k; field). rewrite A, B. replace (energy m1 m2 a2 (L * (1 + q * d)) (ray m1 m2
-    a2 b u) (ray m1 m2 a2 b u)) with (energy m1 m2 a2 L (ray m1 m2 a2 b u) (ray m1 m2 a2 b u) + Ecr * ((1 + q * d) ^ 2 -
-    1)) by (unfold Ecr; rewrite Ecr_L by auto; fold L; unfold energy; field). rewrite R. ring.
+  intros Hk (A & B & C). pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 u) as R. unfold E, Ecr.
+  rewrite <- (energy_side m1 m2 a2 k), A, B, C by auto. rewrite Ecr_L in R |- * by auto. fold q L in R |- *.
+  unfold energy in R |- *. lra.
 Qed.
 
 (** every contact beyond S0 is at some gap and some push *)
@@ -67,14 +58,9 @@ Qed.
 (** body 1 moves no faster than all its energy allows *)
 Lemma path t u e : 0 <= t <= u -> E t <= e -> Rabs (x u - x t) <= sqrt (2 * e / m1) * (u - t).
 Proof.
-  intros Ht He. set (V := sqrt (2 * e / m1)). assert (Vb : forall w, t <= w -> - V <= v1 w <= V).
-  { intros w Hw. assert (Ew : E w <= e) by (apply Rle_trans with (2 := He), Emono; lra). unfold E, energy in Ew.
-    assert (Sq : v1 w ^ 2 <= 2 * e / m1).
-    { undivide m1. assert (0 <= a2 * x w ^ 2) by positive. assert (0 <= m2 * v2 w ^ 2) by positive. lra. }
-    assert (VV : V * V = 2 * e / m1). { apply sqrt_sqrt. pose proof (pow2_ge_0 (v1 w)). lra. }
-    pose proof (sqrt_pos (2 * e / m1)) as V0. fold V in V0. split; nra. }
-  apply (lip_between x v1 V t u (s_cx _ _ _ _ _ _ _ _ _ H) Ht). intros w Hw.
-  split; [apply (s_x _ _ _ _ _ _ _ _ _ H)|apply Vb]; lra.
+  intros Ht He. apply (lip_between x v1); [apply (s_cx _ _ _ _ _ _ _ _ _ H)|auto|]. intros w Hw.
+  split; [apply (s_x _ _ _ _ _ _ _ _ _ H); lra|]. apply Rabs_inv, Forced.root_bound; auto.
+  apply (Forced.energy_parts m1 m2 a2 Hm1 Hm2 Ha2 (x w) (v1 w) (v2 w)), Rle_trans with (2 := He), Emono. lra.
 Qed.
 
 (** so a slip that crosses has a half angle of at least this *)
@@ -118,8 +104,8 @@ Proof.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & _ & _ & _ & _ & B).
   fold o1 q Ecr in B. pose proof (gap_level k d (push d p) t0 Hk HG) as A. rewrite level_loss in B by auto.
   fold q r in B. pose proof (least_angle_in e Hep) as P0. pose proof (depth_pos (least_angle e) P0) as D0.
-  assert (D1 : depth (least_angle e) <= depth p) by (destruct (Req_dec (least_angle e) p) as [->|];
-    [|apply Rlt_le, depth_incr]; lra). assert (D2 : depth (least_angle e) ^ 2 <= depth p * (depth p + 2 * d)).
+  pose proof (rising_le PI depth _ _ depth_incr (proj1 P0) Long (proj2 Hp)) as D1.
+  assert (D2 : depth (least_angle e) ^ 2 <= depth p * (depth p + 2 * d)).
   { assert (depth (least_angle e) ^ 2 <= depth p ^ 2) by (apply pow_incr; lra). assert (0 <= depth p * d) by positive.
     lra. }
   change (energy m1 m2 a2 (x (t0 + 2 * p / o1)) (v1 (t0 + 2 * p / o1)) (v2 (t0 + 2 * p / o1)))
@@ -127,31 +113,39 @@ Proof.
   assert (Ecr * (q * r) * depth (least_angle e) ^ 2 <= Ecr * (q * r) * (depth p * (depth p + 2 * d))) by scale. lra.
 Qed.
 
+(** the next contact after a slip *)
+Lemma slip_contact k d p t0 : k = 1 \/ k = -1 -> 0 <= t0 -> 0 <= d -> 0 < p < PI ->
+  at_gap m1 m2 a2 b k d (push d p) x v1 v2 t0 -> contact_after v1 v2 t0 (t0 + 2 * p / o1).
+Proof.
+  intros Hk Ht Hd Hp HG. assert (T0 : 0 < 2 * p / o1) by positive.
+  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & Sg & _ & B & C &
+    _).
+  fold o1 in Sg, B, C. split; [lra|]. split; [intros t Hu E'; specialize (Sg t Hu); rewrite E' in Sg;
+    lra|destruct Hk; subst k; lra].
+Qed.
+
 (** so crossings end: by induction on how many the energy can still pay *)
 Lemma returns_paid e n : 0 < e -> forall k d u t0, k = 1 \/ k = -1 -> 0 <= t0 -> (0 < d \/ (d = 0 /\ 0 < u)) ->
-  at_gap m1 m2 a2 b k d u x v1 v2 t0 -> E t0 <= e -> E t0 <= INR n * least_cost e -> exists t,
-    first_reentry L x v1 v2 t0 t /\ t <= t0 + (INR n + 1) * (2 * PI / o1).
+  at_gap m1 m2 a2 b k d u x v1 v2 t0 -> E t0 <= e -> E t0 < INR n * least_cost e -> exists t,
+    first_reentry L x v1 v2 t0 t /\ t <= t0 + INR n * (2 * PI / o1).
 Proof.
   intros Hep. induction n as [|n IH]; intros k d u t0 Hk Ht Hd HG He En.
-  all: destruct (push_at d u Hd) as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1)
-    by positive; assert (T1 : 2 * p / o1 <= 2 * PI / o1) by scale.
-  all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & Sg & A & B & C & _).
-  all: fold o1 in Sg, A, B, C; fold q L in A; fold q in A; set (t1 := t0 + 2 * p / o1) in *.
-  all: assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra). all: assert (Ct : contact_after v1 v2 t0 t1)
-    by (split; [unfold t1; lra|split; [intros t Hu Q; specialize (Sg t Hu); rewrite Q in Sg; lra|auto]]).
-  all: pose proof (depth_pos p Hp) as Dp; destruct (Rle_dec (depth p + d) (2 / q)) as [In|Out].
-  1,3: exists t1; split; [apply fr_in; [auto|]|first [pose proof (pos_INR n); rewrite S_INR|simpl INR]; unfold t1; nra];
-    exact (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ d p Hk D0 Hp A In).
-  all: apply Rnot_le_lt in Out; pose proof (crossing_costs k d p t0 e Hk Ht D0 Hp He Hep HG Out) as Drop;
-    fold t1 in Drop; pose proof (least_cost_pos e Hep) as Cost.
-  - exfalso. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t1) (v1 t1) (v2 t1)). unfold E in *. simpl in En. lra.
-  - destruct (crossing m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG Out) as (D' & _ & G' & _).
-    fold q o1 in D', G'. fold t1 in G'. rewrite S_INR in En. assert (Hk' : - k = 1 \/ - k = -1) by lra.
-    assert (T1' : 0 <= t1) by positive.
-    destruct (IH _ _ _ t1 Hk' T1' (or_introl D') G' ltac:(lra) ltac:(lra)) as (t & F & Soon).
-    exists t. split; [|rewrite S_INR; unfold t1 in Soon; lra]. apply fr_cross with t1; auto. intros I.
-    destruct G' as (X1 & _). fold q L in X1. assert (0 < L * (q * (depth p + d - 2 / q))) by positive.
-    destruct Hk; subst k; lra.
+  { pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t0) (v1 t0) (v2 t0)). unfold E in *. simpl in En. lra. }
+  destruct (push_at d u Hd) as (p & Hp & <-). assert (D0 : 0 <= d) by lra. pose proof (pos_INR n).
+  pose proof (slip_contact k d p t0 Hk Ht D0 Hp HG) as Ct. rewrite S_INR in *.
+  assert (T1 : 0 < 2 * p / o1 <= 2 * PI / o1) by (split; [positive|scale; lra]).
+  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & _ & A & _).
+  fold o1 L q in A. set (t1 := t0 + 2 * p / o1) in *. destruct (Rle_dec (depth p + d) (2 / q)) as [In|Out].
+  { exists t1. split; [apply fr_in; [auto|]|unfold t1; nra].
+    exact (lands m1 m2 a2 b Hm1 Hm2 Ha2 Hb k _ d p Hk D0 Hp A In). }
+  apply Rnot_le_lt in Out. pose proof (crossing_costs k d p t0 e Hk Ht D0 Hp He Hep HG Out) as Drop.
+  fold t1 in Drop. pose proof (least_cost_pos e Hep) as Cost. assert (T1' : 0 <= t1) by (unfold t1; lra).
+  destruct (crossing m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG Out) as (D' & _ & G' & _).
+  fold q o1 in D', G'. fold t1 in G'.
+  destruct (IH (- k) _ _ t1 ltac:(lra) T1' (or_introl D') G' ltac:(lra) ltac:(lra)) as (t & F & Soon).
+  exists t. split; [|unfold t1 in Soon; lra]. apply fr_cross with t1; auto. intros I.
+  destruct G' as (X1 & _). fold q L in X1. assert (0 < L * (q * (depth p + d - 2 / q))) by positive.
+  destruct Hk; subst k; lra.
 Qed.
 
 (** [first-re-entry] From beyond $S_0$, or from an exit ray, a solution returns to $S_0$ after finitely many slips,

@@ -1,21 +1,13 @@
 (** Every start on S0 slightly above E_cr, and every solution that never merges: no merging, and the sharp law. *)
 From InertialPair Require Import Dini Pair Stick Excursion ReturnMap EnergyLimit Dichotomy FollowArc Cycle ExitOrbit
-  SharpRate ReturnToS0.
+  SharpRate RateBounds ReturnToS0.
 
 Section Law.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let M := m1 + m2.
-Let q := m1 / M.
-Let r := m2 / M.
-Let om := omega m1 m2 a2.
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
-Let en := energy m1 m2 a2.
-Let q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2.
-Let r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2.
-Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
-Let L0 : 0 < L := L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb.
-Let E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb.
+Context (M := m1 + m2) (q := m1 / M) (r := m2 / M) (om := omega m1 m2 a2) (L := L m1 m2 a2 b)
+  (Ecr := Ecr m1 m2 a2 b) (en := energy m1 m2 a2) (q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2)
+  (r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2) (om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2)
+  (L0 : 0 < L := L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) (E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb).
 
 (** The relative excess w = E/E_cr - 1 is small: u = sqrt (w/q) <= pi/2, and w < 4 q/(9 r). *)
 Definition small E := E / Ecr - 1 <= q * (PI / 2) ^ 2 /\ E / Ecr - 1 < 4 * q / (9 * r).
@@ -132,65 +124,128 @@ Theorem two_sided x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v
   / w0 + K * (1 - 3 / 8 * w0 / q) ^ 12 * (om * (t - t0) / (PI + 6 * sqrt w0) - 2) <= / w t /\
   (6 * sqrt w0 < PI -> / w t <= / w0 + K / (1 - K * w0) * (om * (t - t0) / (PI - 6 * sqrt w0) + 1)).
 Proof.
-  intros H Ht Ev Hx w w0 K HW t Hu. pose proof PI_RGT_0 as P0.
-  assert (EW : en (x t0) (v1 t0) (v2 t0) = Ecr * (1 + w0)) by (unfold w0, w; field; lra).
-  assert (HE : Ecr < en (x t0) (v1 t0) (v2 t0)) by nra.
-  assert (Sm : small (en (x t0) (v1 t0) (v2 t0))) by (apply small_simple; rewrite EW; apply Rmult_le_compat_l; lra).
+  intros H Ht Ev Hx w w0 K HW t Hu. pose proof PI2_3_2 as P0.
+  assert (EW : forall t, en (x t) (v1 t) (v2 t) = Ecr * (1 + w t)) by (intros; unfold w; field; lra).
+  assert (HE : Ecr < en (x t0) (v1 t0) (v2 t0)) by (rewrite EW; fold w0; nra).
+  assert (Sm : small (en (x t0) (v1 t0) (v2 t0))) by (apply small_simple; rewrite EW; apply Rmult_le_compat_l;
+    fold w0; lra).
   destruct (start x v1 v2 s t0 H Ht Ev Hx HE Sm) as (k & t1 & p & Hk & T1 & Hp & HR & EP).
-  pose proof (ok_pi m1 m2 p Hp) as Pp. pose proof (hh_pos p Pp) as H0. assert (W0 : w0 = q * hh p ^ 2) by nra.
-  assert (Y0 : hh p ^ 2 = w0 / q) by (rewrite W0; field; lra). assert (De : 6 * sqrt q * hh p = 6 * sqrt w0).
-  { rewrite W0, sqrt_mult_alt by lra. rewrite <- Rsqr_pow2, sqrt_Rsqr by lra. ring. }
+  pose proof (ok_pi m1 m2 p Hp) as Pp. pose proof (hh_pos p Pp) as H0. rewrite EW in EP. fold w0 in EP.
+  assert (W0 : w0 = q * hh p ^ 2) by (apply Rmult_eq_reg_l with Ecr; lra).
+  assert (Y0 : hh p ^ 2 = w0 / q) by (rewrite W0; field; lra). assert (De : sqrt w0 = sqrt q * hh p).
+  { rewrite W0, sqrt_mult_alt, sqrt_pow2 by lra. auto. }
   pose proof (sqrt_pos w0) as S0.
-  (* the constant of the lower bound *)
-  set (sg := 1 - 3 / 8 * w0 / q). assert (Wq : w0 / q <= 4 / 9) by nra. assert (Sg : 0 <= sg <= sin p / p).
-  { assert (Es : sg = 1 - 3 / 8 * hh p ^ 2) by (rewrite Y0; unfold sg; field; lra). split; [rewrite Es, Y0; lra|].
-    pose proof (sin_above p ltac:(lra)) as Sa. pose proof (hh_below p Pp) as Hbl.
-    assert (p ^ 2 <= (3 / 2 * hh p) ^ 2) by (apply pow_incr; lra). undivide p.
-    apply Rle_trans with (p - p ^ 3 / 6); auto. replace (p - p ^ 3 / 6) with ((1 - p ^ 2 / 6) * p) by field. scale. }
-  assert (Sg12 : sg ^ 12 <= (sin p / p) ^ 12) by (apply pow_incr; auto). assert (K0 : 0 < K) by positive.
+  pose proof (qr_one m1 m2 Hm1 Hm2) as QR. fold M q r in QR. assert (K0 : 0 < K) by positive.
   assert (Kq : 9 / 4 * r = q * K) by (unfold K, q, r, M; field; lra).
-  assert (KY : q * K * (w0 / q) = K * w0) by (field; lra). assert (KW : K * w0 < 1).
-  { pose proof (qr_one m1 m2 Hm1 Hm2) as QR. fold M q r in QR. rewrite <- KY, <- Kq. nra. }
-  set (c := K * sg ^ 12). assert (C0 : 0 <= c) by (apply Rmult_le_pos; [lra|apply pow_le; lra]).
-  set (A := K / (1 - K * w0)). assert (KK : 0 < A) by (apply Rdiv_lt_0_compat; lra).
+  assert (Wq : w0 / q <= 4 / 9) by (undivide q; lra).
+  assert (KW : K * w0 < 1) by (rewrite W0, <- Rmult_assoc, (Rmult_comm K), <- Kq, Y0; nra).
+  set (sg := 1 - 3 / 8 * w0 / q). set (c := K * sg ^ 12). set (A := K / (1 - K * w0)).
+  set (T := PI + 6 * sqrt w0). set (T' := PI - 6 * sqrt w0).
+  (* the first excursion *)
+  assert (Hh : hh p <= 2 / 3) by nra. destruct (ok_push m1 m2 Hm1 Hm2 p Pp Hh) as (_ & C1 & Dp).
+  pose proof (hh_below p Pp). pose proof (back p (proj1 Hp)).
+  pose proof (depth_pos p Pp) as C0. pose proof (depth_upper p Pp) as C2. pose proof (depth_lower p Pp) as C3.
+  rewrite Y0 in C2, C3. set (c0 := depth p) in *. assert (Sq : 0 < sqrt q) by positive.
+  assert (Sg : 0 <= sg <= sin p / p).
+  { assert (Es : sg = 1 - 3 / 8 * hh p ^ 2) by (rewrite Y0; unfold sg; field; lra). split; [rewrite Es, Y0; lra|].
+    pose proof (sin_above p ltac:(lra)) as Sa. assert (p ^ 2 <= (3 / 2 * hh p) ^ 2) by (apply pow_incr; lra).
+    undivide p.
+    apply Rle_trans with (p - p ^ 3 / 6); auto. replace (p - p ^ 3 / 6) with ((1 - p ^ 2 / 6) * p) by field. scale. }
+  assert (C : 0 <= c) by (apply Rmult_le_pos; [lra|apply pow_le; lra]).
+  assert (A0 : 0 < A) by (apply Rdiv_lt_0_compat; lra).
+  (* w falls, from w0 at the first exit *)
   pose proof (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) Hp HR t ltac:(lra)) as N.
-  fold en Ecr in N. assert (EWt : en (x t) (v1 t) (v2 t) = Ecr * (1 + w t)) by (unfold w; field; lra).
-  assert (Wt : 0 < w t) by (apply Rmult_lt_reg_l with Ecr; lra). assert (Wd : w t <= w0).
-  { apply Rmult_le_reg_l with Ecr; auto. pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t0 t ltac:(lra)) as F.
-    fold en in F. lra. }
+  pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t0 t ltac:(lra)) as F. cbv beta in N, F.
+  fold en Ecr in N, F. rewrite EW in N, F. rewrite EW in F. fold w0 in F.
+  assert (Wt : 0 < w t) by (apply Rmult_lt_reg_l with Ecr; lra).
+  assert (Wd : w t <= w0) by (apply Rmult_le_reg_l with Ecr; lra).
   assert (Id : / w0 <= / w t) by (apply Rinv_le_contravar; auto).
   assert (ToT : om * (t1 - t0) <= PI) by (replace PI with (om * (PI / om)) by (field; lra); scale; lra).
-  set (T := PI + 6 * sqrt w0). set (T' := PI - 6 * sqrt w0).
-  (* from the first exit on *)
-  assert (Ray : t1 <= t -> / w0 + K * (sin p / p) ^ 12 * (om * (t - t1) / T - 1) <= / w t /\
-    (0 < T' -> / w t <= / w0 + A * (om * (t - t1) / T' + 1))).
-  { intros G.
-    destruct (two_sided_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) Hp HR t G) as (Lo & Up).
-    change (orb m1 m2 p 0) with p in Lo, Up. fold om M in Lo, Up. fold q r in Lo, Up. fold Ecr in Lo, Up.
-    rewrite De, Kq, Y0 in Lo, Up. rewrite KY in Up. fold T T' in Lo, Up.
-    change (energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr - 1) with (w t) in Lo, Up.
-    replace (/ (w0 / q)) with (q * / w0) in Lo, Up by (field; lra).
-    replace (/ (w t / q)) with (q * / w t) in Lo, Up by (field; lra). split; [|intros Hd; specialize (Up ltac:(unfold T'
-      in Hd; lra) KW)]; apply Rmult_le_reg_l with q; auto; [|unfold A]; lra. }
+  set (a := r * c0 ^ 2 / (w0 / q) ^ 2). set (B := 9 / 4 * r / (1 - r * c0 ^ 2 / (w0 / q))).
+  set (Tu := PI + sqrt q * (2 * p)). set (Tl := PI - sqrt q * (2 * p - hh p) * (q * c0 / (1 - q * c0))).
+  assert (Ray : t1 <= t -> q / w0 + a * (om * (t - t1) / Tu - 1) <= q / w t <= q / w0 + B * (om * (t - t1) /
+    Tl + 1)).
+  { intros G. unfold a, B. rewrite <- (Rinv_div w0 q), <- (Rinv_div (w t) q), <- Y0.
+    exact (level_between m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) Pp Hh HR t G). }
   split.
   - set (n0 := om * (t - t0) / T - 2). assert (N0 : n0 * T = om * (t - t0) - 2 * T) by (unfold n0, T; field; lra).
     destruct (Rle_dec n0 0) as [Np|Np]; [assert (0 <= c * - n0) by positive; lra|].
     assert (0 < n0 * T) by (apply Rmult_lt_0_compat; unfold T; lra).
     destruct Ray as (Lo & _); [apply Rmult_le_reg_l with om; auto; unfold T in *; lra|].
-    assert (N1 : (om * (t - t1) / T - 1 - n0) * T = T - om * (t1 - t0)) by (unfold n0, T; field; lra).
-    set (n1 := om * (t - t1) / T - 1) in *. assert (0 <= n1 - n0) by (unfold T in *; nra).
-    assert (c * n0 <= K * (sin p / p) ^ 12 * n1) by (apply Rmult_le_compat; try lra; scale). lra.
-  - intros Hd. assert (T0 : 0 < T') by (unfold T'; lra). destruct (Rle_dec t1 t) as [G|G].
-    + destruct (Ray G) as (_ & Up). specialize (Up T0).
-      assert (om * (t - t1) / T' <= om * (t - t0) / T') by (apply Rmult_le_compat_r; [positive|scale; lra]).
-      assert (A * (om * (t - t1) / T' + 1) <= A * (om * (t - t0) / T' + 1)) by (apply Rmult_le_compat_l; lra). lra.
+    assert (N1 : n0 + 1 <= om * (t - t1) / Tu).
+    { assert (0 < Tu) by (unfold Tu; positive). undivide Tu.
+      apply Rle_trans with ((n0 + 1) * T); [|unfold T in *; lra].
+      apply Rmult_le_compat_l; [lra|]. unfold T, Tu. rewrite De.
+      assert (sqrt q * (2 * p) <= sqrt q * (6 * hh p)) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (Ka : q * c <= a).
+    { unfold a. undivide ((w0 / q) ^ 2).
+      replace (q * c * (w0 / q) ^ 2) with (r * (3 / 2 * sg ^ 6 * (w0 / q)) ^ 2).
+      - assert (0 <= sg ^ 6 <= (sin p / p) ^ 6) by (split; [apply pow_le|apply pow_incr]; lra).
+        assert (0 < w0 / q) by positive. scale. apply pow_incr. split; [positive|].
+        apply Rle_trans with (2 := C3). apply Rmult_le_compat_r; lra.
+      - transitivity (9 / 4 * r * sg ^ 12 * (w0 / q) ^ 2); [field; lra|rewrite Kq; unfold c; ring]. }
+    assert (q * c * n0 <= a * (om * (t - t1) / Tu - 1)) by (apply Rmult_le_compat; try lra; positive).
+    apply Rmult_le_reg_l with q; [auto|lra].
+  - intros Hd. assert (T0 : 0 < T') by (unfold T'; lra). assert (0 <= om * (t - t0)) by positive.
+    destruct (Rle_dec t1 t) as [G|G].
+    + destruct (Ray G) as (_ & Up). assert (Ka : 0 <= B <= q * A).
+      { assert (r * c0 ^ 2 / (w0 / q) <= K * w0).
+        { undivide (w0 / q). replace (K * w0 * (w0 / q)) with (9 / 4 * r * (w0 / q) ^ 2) by (rewrite Kq;
+            field; lra).
+          replace (9 / 4 * r * (w0 / q) ^ 2) with (r * (3 / 2 * (w0 / q)) ^ 2) by (field; lra). scale.
+          apply pow_incr. lra. }
+        unfold A, B. rewrite Kq. split; [apply Rdiv_le_0_compat; [positive|lra]|]. unfold Rdiv.
+        rewrite <- Rmult_assoc.
+        apply Rmult_le_compat_l; [positive|]. apply Rinv_le_contravar; lra. }
+      assert (TT : T' <= Tl).
+      { assert (0 < q * c0 <= 1 * c0) by (split; [positive|apply Rmult_le_compat_r; lra]). unfold Tl, T'.
+        rewrite De.
+        assert (sqrt q * (2 * p - hh p) * (q * c0 / (1 - q * c0)) <= sqrt q * (2 * hh p) * 2); [|lra].
+        apply Rmult_le_compat; [apply Rmult_le_pos; lra|apply Rdiv_le_0_compat; lra|scale|undivide (1 - q *
+          c0); lra]. }
+      assert (0 <= om * (t - t1) / Tl <= om * (t - t0) / T').
+      { split; [apply Rdiv_le_0_compat; [positive|lra]|].
+        apply Rmult_le_compat; [positive|apply Rlt_le, Rinv_0_lt_compat; lra|scale; lra|apply
+          Rinv_le_contravar; auto]. }
+      assert (B * (om * (t - t1) / Tl + 1) <= q * A * (om * (t - t0) / T' + 1)) by (apply Rmult_le_compat;
+        lra).
+      apply Rmult_le_reg_l with q; [auto|lra].
     + (* on the first ellipse *)
-      assert (W1 : w0 <= w t).
-      { apply Rmult_le_reg_l with Ecr; auto.
-        pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t t1 ltac:(lra)) as F. fold en in F.
-        pose proof (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 k (hh p) x v1 v2 t1 Hk HR) as RE. fold en M q Ecr in RE. lra. }
-      assert (/ w t <= / w0) by (apply Rinv_le_contravar; lra). assert (0 <= om * (t - t0)) by positive.
+      pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t t1 ltac:(lra)) as F'. cbv beta in F'.
+      fold en in F'.
+      rewrite (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 k (hh p) x v1 v2 t1 Hk HR : en _ _ _ = Ecr * (1 + q * hh p ^
+        2)), EW in F'.
+      assert (W1 : w0 <= w t) by (apply Rmult_le_reg_l with Ecr; lra).
+      assert (/ w t <= / w0) by (apply Rinv_le_contravar; lra).
       assert (0 <= A * (om * (t - t0) / T' + 1)) by positive. lra.
+Qed.
+
+(** the lower bound, as one over the time: the first cycle is paid by the start *)
+Corollary below_over_t x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x
+  t0 <= L ->
+  let w t := en (x t) (v1 t) (v2 t) / Ecr - 1 in let w0 := w t0 in let K := 9 / 4 * (m2 / m1) in
+  0 < w0 <= 2 / 9 * q -> 0 < 1 - 3 / 8 * w0 / q /\ sqrt w0 <= 1 / 2 /\ K * w0 < 1 / 2 /\
+  forall t, t0 < t -> 0 < w t <= (PI + 6 * sqrt w0) / (K * (1 - 3 / 8 * w0 / q) ^ 12 * om) / (t - t0).
+Proof.
+  intros H Ht Ev Hx w w0 K HW. pose proof (qr_one m1 m2 Hm1 Hm2) as QR. fold M q r in QR.
+  assert (K0 : 0 < K) by positive. assert (Kq : K * q = 9 / 4 * r) by (unfold K, q, r, M; field; lra).
+  assert (KW : K * w0 < 1 / 2) by nra.
+  assert (S1 : sqrt w0 <= 1 / 2) by (rewrite <- (sqrt_pow2 (1 / 2)) by lra; apply sqrt_le_1_alt; lra).
+  assert (Sg : 0 < 1 - 3 / 8 * w0 / q <= 1).
+  { assert (0 < w0 / q) by positive. assert (w0 / q <= 2 / 9) by (undivide q; lra). lra. }
+  repeat (split; [lra|]). intros t Hu. assert (HW' : 0 < w0 <= 4 / 9 * q) by lra.
+  pose proof (proj1 (two_sided x v1 v2 s t0 H Ht Ev Hx HW' t ltac:(lra)) :
+    / w0 + K * (1 - 3 / 8 * w0 / q) ^ 12 * (om * (t - t0) / (PI + 6 * sqrt w0) - 2) <= / w t) as Lo.
+  pose proof (sqrt_pos w0). pose proof PI_RGT_0. set (D := PI + 6 * sqrt w0) in *.
+  assert (HD : 0 < D) by (unfold D; lra). set (c := K * _ ^ 12) in *.
+  assert (C : 0 < c <= K).
+  { pose proof (pow_incr _ 1 12 (conj (Rlt_le _ _ (proj1 Sg)) (proj2 Sg))) as S.
+    split; [apply Rmult_lt_0_compat; [|apply pow_lt]|unfold c; nra]; lra. }
+  assert (St : 2 * c <= / w0) by (apply Rmult_le_reg_r with w0; [lra|]; rewrite Rinv_l by lra; nra).
+  assert (0 < t - t0) by lra. assert (Kd : 0 < c * (om * (t - t0) / D)) by positive.
+  assert (P : 0 < / w t) by lra. rewrite <- (Rinv_inv (w t)). split; [apply Rinv_0_lt_compat, P|].
+  replace (D / (c * om) / (t - t0)) with (/ (c * (om * (t - t0) / D))) by (field; repeat split; lra).
+  apply Rinv_le_contravar; lra.
 Qed.
 
 (** *** Every solution that never merges comes back to S0 slightly above E_cr *)

@@ -13,18 +13,13 @@ Qed.
 Section Sharp.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 0 a2 b x v1 v2 s).
-Let M := m1 + m2.
-Let q := m1 / M.
-Let r := m2 / M.
-Let om := omega m1 m2 a2.
-Let Ecr := Ecr m1 m2 a2 b.
-Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
+Context (M := m1 + m2) (q := m1 / M) (r := m2 / M) (om := omega m1 m2 a2) (Ecr := Ecr m1 m2 a2 b)
+  (E := fun t => energy m1 m2 a2 (x t) (v1 t) (v2 t)).
 (** the sharp constant *)
 Definition rate := 4 * PI / 9 * (m1 / m2) * sqrt ((m1 + m2) / a2).
 
-Let q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2.
-Let r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2.
-Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
+Context (q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2) (r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2)
+  (om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2).
 Lemma Ecr_pos : 0 < Ecr.
 Proof. unfold Ecr. rewrite Ecr_L by auto. pose proof (pow_lt _ 2 (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)). nra. Qed.
 (** the push of a level above E_cr *)
@@ -40,10 +35,8 @@ Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H 
 Section FromRay.
 Variables k t0 p : R.
 Hypotheses (Hk : k = 1 \/ k = -1) (Ht : 0 <= t0) (Hp : ok m1 m2 p) (HR : on_ray m1 m2 a2 b k (hh p) x v1 v2 t0).
-Let ph := orb m1 m2 p.
-Let y n := hh (ph n) ^ 2.
-Let tm := tim m1 m2 a2 t0 p.
-Let cy n := cyc m1 m2 a2 (ph n).
+Context (ph := orb m1 m2 p) (y := fun n => hh (ph n) ^ 2) (tm := tim m1 m2 a2 t0 p)
+  (cy := fun n => cyc m1 m2 a2 (ph n)).
 
 (** every half angle of the orbit is one of short excursions above E_cr *)
 Lemma ph_ok n : ok m1 m2 (ph n). Proof. apply orb_ok; auto. Qed.
@@ -60,6 +53,21 @@ Lemma tm_from n : t0 <= tm n. Proof. apply tim_start; auto. Qed.
 Lemma exit_level n : E (tm n) = Ecr * (1 + q * y n).
 Proof. exact (exit_energy m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hp HR n). Qed.
 Lemma y_plus n : 0 < y n. Proof. apply pow_lt, hh_pos, ph_pi. Qed.
+(** a slip, and a stick in S0 until the next one *)
+Lemma cycle_at n : let sl := 2 * ph n / o1 m1 a2 in let k' := k * (-1) ^ n in (k' = 1 \/ k' = -1) /\
+  on_ray m1 m2 a2 b k' (hh (ph n)) x v1 v2 (tm n) /\ 0 < sl /\ tm n + sl < tm (S n) /\
+  (forall t, tm n < t < tm n + sl -> k' * v1 t < k' * v2 t) /\
+  (forall t, tm n + sl <= t <= tm (S n) -> v1 t = v2 t /\ - L m1 m2 a2 b <= x t <= L m1 m2 a2 b).
+Proof.
+  intros sl k'. pose proof (sides k n Hk) as Sk. pose proof (tm_from n) as T0. pose proof (ph_ok n) as Ok.
+  pose proof (exits m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hp HR n : on_ray m1 m2 a2 b k' _ x v1
+    v2 _) as On.
+  destruct (cycle m1 m2 a2 b Hm1 Hm2 Ha2 Hb k' x v1 v2 s (tm n) (ph n) Sk H ltac:(lra) Ok On) as (_ & _ & Sl &
+    St).
+  pose proof (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) Ok) as Lo. rewrite tm_S. unfold cy. fold sl in Sl, St, Lo.
+  repeat (split; [auto; lra|]). split; intros t Hu; replace t with (tm n + (t - tm n)) by ring; [apply
+    Sl|apply St]; lra.
+Qed.
 
 (** they tend to 0 *)
 Theorem level_to_zero : is_lim_seq y 0. Proof. exact (y_to_zero r r_pos ph ph_pi y_step). Qed.
@@ -122,20 +130,14 @@ Proof.
     assert (0 < Ecr * (q * y n)) by positive. lra.
 Qed.
 
-(** every time is in one cycle *)
-Lemma bracket N j t : tm N <= t -> t < tm (N + j) -> exists n, (N <= n)%nat /\ tm n <= t <= tm (S n).
-Proof.
-  induction j; intros HN Hj. { rewrite Nat.add_0_r in Hj. lra. } destruct (Rle_dec (tm (N + j)) t) as [G|G].
-  - exists (N + j)%nat. split; [lia|]. rewrite Nat.add_succ_r in Hj. lra.
-  - apply IHj; lra.
-Qed.
 (** every later time lies in some cycle *)
 Lemma in_cycle N t : tm N <= t -> exists n, (N <= n)%nat /\ tm n <= t <= tm (S n).
 Proof.
-  intros HN. destruct (tm_above t) as (n & Hn). apply (bracket N n); auto. assert (Mo : forall i j, tm i <= tm (j + i)).
-  { induction j; [change (0 + i)%nat with i; lra|]. change (S j + i)%nat with (S (j + i)). pose proof (tm_up (j + i)).
-    lra. }
-  pose proof (Mo n N). lra.
+  intros HN. assert (Or : forall j, (exists n, (N <= n)%nat /\ tm n <= t <= tm (S n)) \/ tm (N + j) <= t).
+  { induction j as [|j [E'|L]]; [right; rewrite Nat.add_0_r; auto|auto|]. rewrite Nat.add_succ_r.
+    destruct (Rle_dec (tm (S (N + j))) t); [auto|left; exists (N + j)%nat; split; [lia|lra]]. }
+  pose proof tm_inf as T. apply is_lim_seq_spec in T. destruct (T t) as (n & K).
+  specialize (K (N + n)%nat ltac:(lia)). destruct (Or n); [auto|lra].
 Qed.
 
 (** *** The sharp law in the time *)
@@ -172,12 +174,11 @@ Proof.
   assert (tm n * F (S n) <= t * F (S n)) by scale. apply Rabs_def1; lra.
 Qed.
 (** *** Bounds in the time, from the exit at t0: by what 1/y gains in a cycle, and by how long a cycle takes *)
-Theorem between a Tu t : 0 <= a -> (forall n, a <= / y (S n) - / y n) -> (forall n, 0 < om * cy n <= Tu) -> t0 <= t ->
-  / y 0 + a * (om * (t - t0) / Tu - 1) <= / ((E t / Ecr - 1) / q) /\
-  forall A Tl, 0 <= A -> 0 < Tl -> (forall n, / y (S n) - / y n <= A) -> (forall n, Tl <= om * cy n) ->
-  / ((E t / Ecr - 1) / q) <= / y 0 + A * (om * (t - t0) / Tl + 1).
+Theorem between a A Tl Tu t : 0 <= a -> 0 <= A -> 0 < Tl -> (forall n, a <= / y (S n) - / y n <= A) ->
+  (forall n, Tl <= om * cy n <= Tu) -> t0 <= t ->
+  / y 0 + a * (om * (t - t0) / Tu - 1) <= / ((E t / Ecr - 1) / q) <= / y 0 + A * (om * (t - t0) / Tl + 1).
 Proof.
-  intros Ha Gain Time Hu. destruct (in_cycle 0 t Hu) as (n & _ & B1 & B2). pose proof Ecr_pos as E0.
+  intros Ha HA HTl Gain Time Hu. destruct (in_cycle 0 t Hu) as (n & _ & B1 & B2). pose proof Ecr_pos as E0.
   pose proof (y_plus (S n)) as Y1. pose proof (tm_from n) as T0. pose proof (E_falls (tm n) t ltac:(lra)) as F1.
   pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2. rewrite exit_level in F1, F2.
   set (yt := (E t / Ecr - 1) / q). assert (EY : E t = Ecr * (1 + q * yt)) by (unfold yt; field; lra).
@@ -185,51 +186,22 @@ Proof.
   assert (G1 : yt <= y n) by (apply Rmult_le_reg_l with q; [auto|lra]).
   assert (G2 : y (S n) <= yt) by (apply Rmult_le_reg_l with q; [auto|lra]).
   assert (I1 : / y n <= / yt) by (apply Rinv_le_contravar; lra).
-  assert (I2 : / yt <= / y (S n)) by (apply Rinv_le_contravar; lra). split.
-  - assert (Gains : forall i, / y 0 + INR i * a <= / y i).
-    { induction i as [|i IH]; [simpl INR; lra|]. rewrite S_INR. specialize (Gain i). lra. }
-    assert (Times : forall i, om * (tm i - t0) <= INR i * Tu).
-    { induction i as [|i IH]; [change (tm 0) with t0; simpl INR; lra|]. rewrite S_INR, tm_S. specialize (Time i). lra. }
-    pose proof (Gains n) as G. pose proof (Times (S n)) as T. rewrite S_INR in T. pose proof (Time 0%nat).
-    assert (N : om * (t - t0) / Tu - 1 <= INR n).
-    { assert (om * (t - t0) / Tu <= INR n + 1); [|lra]. undivide Tu.
-      assert (om * (t - t0) <= om * (tm (S n) - t0)) by scale. lra. }
-    assert (a * (om * (t - t0) / Tu - 1) <= a * INR n) by scale. lra.
-  - intros A Tl HA HTl Gain' Time'. assert (Gains : forall i, / y i <= / y 0 + INR i * A).
-    { induction i as [|i IH]; [simpl INR; lra|]. rewrite S_INR. specialize (Gain' i). lra. }
-    assert (Times : forall i, INR i * Tl <= om * (tm i - t0)).
-    { induction i as [|i IH]; [change (tm 0) with t0; simpl INR; lra|]. rewrite S_INR, tm_S. specialize (Time' i). lra. }
-    pose proof (Gains (S n)) as G. rewrite S_INR in G. pose proof (Times n).
-    assert (N : INR n <= om * (t - t0) / Tl).
-    { undivide Tl. assert (om * (tm n - t0) <= om * (t - t0)) by scale. lra. }
-    assert (A * (INR n + 1) <= A * (om * (t - t0) / Tl + 1)) by (apply Rmult_le_compat_l; lra). lra.
+  assert (I2 : / yt <= / y (S n)) by (apply Rinv_le_contravar; lra).
+  pose proof (steps_between (fun n => / y n) a A Gain) as Ga.
+  pose proof (steps_between (fun n => om * tm n) Tl Tu) as Ti.
+  specialize (Ti ltac:(intros i; cbv beta; rewrite tm_S; specialize (Time i); lra)). pose proof (Ga n).
+  pose proof (Ti n). specialize (Ga (S n)). specialize (Ti (S n)). cbv beta in *. change (tm 0) with t0 in *.
+  rewrite S_INR in *. pose proof (Time 0%nat).
+  assert (om * tm n <= om * t <= om * tm (S n)) by (split; scale).
+  assert (om * (t - t0) / Tu <= INR n + 1) by (undivide Tu; lra).
+  assert (INR n <= om * (t - t0) / Tl) by (undivide Tl; lra).
+  assert (a * (om * (t - t0) / Tu - 1) <= a * INR n) by scale.
+  assert (A * (INR n + 1) <= A * (om * (t - t0) / Tl + 1)) by scale. lra.
 Qed.
-Lemma y_below n : y n <= y 0.
-Proof. induction n; [lra|]. pose proof (ReturnMap.y_falls r r_pos ph ph_pi y_step n) as F. unfold y in *. lra. Qed.
 Lemma push_below n : hh (ph n) <= hh p.
 Proof.
-  pose proof (y_below n) as Y. unfold y in Y. pose proof (hh_pos _ (ph_pi 0)) as P0. change (ph 0) with p in *. nra.
-Qed.
-(** with simple constants *)
-Theorem two_sided_ray t : let del := 6 * sqrt q * hh p in let kap := 9 / 4 * r in t0 <= t ->
-  / y 0 + kap * (sin p / p) ^ 12 * (om * (t - t0) / (PI + del) - 1) <= / ((E t / Ecr - 1) / q) /\
-  (del < PI -> kap * y 0 < 1 -> / ((E t / Ecr - 1) / q) <= / y 0 + kap / (1 - kap * y 0) * (om * (t - t0) / (PI -
-    del) + 1)).
-Proof.
-  intros del kap Hu. pose proof (sinc_pos _ (ph_pi 0)) as S0. change (ph 0) with p in S0.
-  assert (K0 : 0 < kap) by positive. assert (S12 : 0 < (sin p / p) ^ 12) by positive.
-  assert (Time : forall n, PI - del <= om * cy n <= PI + del).
-  { intros n. pose proof (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)) as Q. apply Rabs_inv in Q.
-    fold M in Q. fold q om in Q. pose proof (push_below n). pose proof (sqrt_pos q).
-    assert (6 * sqrt q * hh (ph n) <= del) by (unfold del; apply Rmult_le_compat_l; lra). unfold cy. lra. }
-  destruct (between (kap * (sin p / p) ^ 12) (PI + del) t) as (Lo & Up); auto; [positive| | |split; [exact Lo|]].
-  - intros n. apply Rle_trans with (2 := ReturnMap.d_lower r r_pos ph ph_pi y_step n). scale.
-    apply pow_incr. split; [lra|exact (ReturnMap.si_0 r r_pos ph ph_pi y_step n)].
-  - intros n. pose proof (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)). split; [apply Rmult_lt_0_compat; unfold cy; lra|apply Time].
-  - intros Hd Sm. apply Up; [apply Rlt_le, Rdiv_lt_0_compat; lra|lra| |apply Time].
-    intros n. pose proof (y_below n). assert (kap * y n <= kap * y 0) by scale.
-    apply Rle_trans with (1 := ReturnMap.d_upper r r_pos ph ph_pi y_step n ltac:(change (kap * y n < 1); lra)).
-    apply Rmult_le_compat_l; [lra|]. apply Rinv_le_contravar; [lra|]. change (1 - kap * y 0 <= 1 - kap * y n). lra.
+  apply (rising_le PI); [exact hh_incr|apply ph_pi|exact (phi_0 r r_pos ph ph_pi y_step n)|exact (proj2 (ph_pi
+    0))].
 Qed.
 End FromRay.
 End Sharp.

@@ -15,6 +15,8 @@ Proof.
   assert (0 < sin (q - p) / (sin p * sin q)) by (apply Rdiv_lt_0_compat;
     [apply sin_gt_0; lra|apply Rmult_lt_0_compat; auto]). lra.
 Qed.
+Lemma ct_le p q : 0 < p -> p <= q -> q < PI -> ct q <= ct p.
+Proof. intros Hp [L|<-] Hq; [apply Rlt_le, ct_falls|]; lra. Qed.
 Lemma ct_atan c : ct (PI / 2 - atan c) = c.
 Proof. unfold ct. rewrite sin_shift, cos_shift. apply tan_atan. Qed.
 (** h - d cot increases from -oo to +oo: one root *)
@@ -49,9 +51,7 @@ Proof.
     replace (hh (PI / 2)) with (PI / 2) in Hh by (unfold hh; rewrite sin_PI2, cos_PI2; field). unfold push.
     unfold p0 at 2. rewrite ct_atan. lra. }
   destruct Ex as (p & Hp & E). exists p. split; [auto|]. intros p' (Hp' & E').
-  destruct (Rtotal_order p p') as [Lt|[|Gt]]; auto; exfalso.
-  - pose proof (push_incr d p p' ltac:(lra) ltac:(lra) Lt ltac:(lra)). lra.
-  - pose proof (push_incr d p' p ltac:(lra) ltac:(lra) Gt ltac:(lra)). lra.
+  apply (rising_one PI (push d)); auto; [|lra]. intros u1 u2. apply push_incr. lra.
 Qed.
 (** without a gap the push is h *)
 Lemma push_0 p : push 0 p = hh p. Proof. unfold push. ring. Qed.
@@ -60,14 +60,17 @@ Lemma push_0 p : push 0 p = hh p. Proof. unfold push. ring. Qed.
 Theorem next_push d p : 0 < p < PI -> 2 * p - push d p = hh p + ct p * (depth p + d).
 Proof. intros Hp. unfold push, hh, ct, depth. trig p. Qed.
 
+(** derivatives in p: h' = c (1 + k^2), k' = -(1 + k^2), c' = 2 h; so (h + 2 k/q)' = (c - 2/q)(1 + k^2) (twice the one
+    in theta) *)
+(** 1 - h k = c (1 + k^2) / 2 *)
+Lemma half_depth p : 0 < p < PI -> depth p * (1 + ct p ^ 2) = 2 * (1 - hh p * ct p).
+Proof. intros Hp. unfold hh, ct, depth. trig p. Qed.
+
 Section Gap.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let M := m1 + m2.
-Let q := m1 / M.
-Let o1 := o1 m1 a2.
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
-Let ray := ray m1 m2 a2 b.
+Context (M := m1 + m2) (q := m1 / M) (r := m2 / M) (o1 := o1 m1 a2) (L := L m1 m2 a2 b) (Ecr := Ecr m1 m2 a2
+  b)
+  (ray := ray m1 m2 a2 b).
 
 (** on S on the side k, a gap q d beyond the end of the strip, moving outwards at the speed ray u *)
 Definition at_gap k d u (x v1 v2 : R -> R) t := k * x t = L * (1 + q * d) /\ k * v1 t = ray u /\ k * v2 t = ray u.
@@ -167,7 +170,7 @@ Proof.
   { intros t Hu. destruct (F (t - t0) ltac:(unfold t1 in Hu; lra)) as (_ & A' & B').
     replace (t0 + (t - t0)) with t in A', B' by ring. rewrite A', B'. apply gap_sign; auto. unfold t1 in Hu; lra. }
   repeat (split; [auto; fail|]). rewrite <- (gap_energy p d). fold D. rewrite <- A. rewrite <- B at 1. rewrite <- C.
-  unfold energy. destruct Hk; subst k; field.
+  symmetry. apply energy_side; auto.
 Qed.
 
 (** it ends in S0 if it goes no further than the width of S0 *)
@@ -178,18 +181,6 @@ Proof.
   pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0. apply Rle_div_r in HD; [|lra].
   assert (0 < q * (depth p + d)) by (apply Rmult_lt_0_compat; lra).
   assert (- L <= k * y <= L) by (rewrite E; split; nra). destruct Hk; subst k; lra.
-Qed.
-
-(** Existence: every push, from every gap d > 0, has its one half angle, so every such slip is covered. *)
-Corollary gap_slips k x v1 v2 s t0 d u : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < d ->
-  at_gap k d u x v1 v2 t0 -> exists p, 0 < p < PI /\ push d p = u /\ (forall t, t0 < t < t0 + 2 * p / o1 ->
-    k * v1 t < k * v2 t) /\
-  v1 (t0 + 2 * p / o1) = v2 (t0 + 2 * p / o1).
-Proof.
-  intros Hk H Ht Hd HG. destruct (push_root d u Hd) as (p & (Hp & E) & _). exists p. rewrite <- E in HG.
-  destruct (gap_slip k x v1 v2 s t0 d p Hk H Ht ltac:(lra) Hp HG) as (_ & A & _ & B & C & _).
-    repeat (split; [auto; fail|]).
-  destruct Hk; subst k; lra.
 Qed.
 
 (** [crossing] A slip that ends beyond the other end of $S_0$ is followed by one of the other sign. *)
@@ -216,38 +207,34 @@ Proof.
     lra) ltac:(lra) Hp' G) as (_ & S2 & _ & B2 & C2 & _).
     split; [intros t Hu; specialize (S2 t Hu); lra|]. destruct Hk; subst k; lra.
 Qed.
-End Gap.
-
-(** derivatives in p: h' = c (1 + k^2), k' = -(1 + k^2), c' = 2 h; so (h + 2 k/q)' = (c - 2/q)(1 + k^2) (twice the one
-    in theta) *)
-Lemma inv_sin2 p : 0 < p < PI -> 1 + ct p ^ 2 = / sin p ^ 2.
-Proof. intros Hp. unfold ct. trig p. Qed.
-(** 1 - h k = c (1 + k^2) / 2 *)
-Lemma half_depth p : 0 < p < PI -> depth p * (1 + ct p ^ 2) = 2 * (1 - hh p * ct p).
-Proof. intros Hp. unfold hh, ct, depth. trig p. Qed.
 
 (** the level after a slip is the level before it minus r c (c + 2 d) *)
-Lemma level_loss m1 m2 p d : 0 < m1 -> 0 < m2 -> 0 < p < PI ->
-  level m1 m2 p d = push d p ^ 2 + 2 * d + m1 / (m1 + m2) * d ^ 2 - m2 / (m1 + m2) * (depth p * (depth p + 2 * d)).
+Lemma level_loss p d : 0 < p < PI ->
+  level p d = push d p ^ 2 + 2 * d + q * d ^ 2 - r * (depth p * (depth p + 2 * d)).
 Proof.
-  intros H1 H2 Hp. unfold level, push. replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra).
-  generalize (m1 / (m1 + m2)). intros q. unfold hh, ct, depth. trig p.
+  intros Hp. unfold level, push. replace r with (1 - q) by (unfold q, r, M; field; lra).
+  generalize q. intros q'. unfold hh, ct, depth. trig p.
 Qed.
 (** with no gap that of the return map *)
-Lemma level_0 m1 m2 p : 0 < m1 -> 0 < m2 -> 0 < p < PI -> level m1 m2 p 0 = hh p ^ 2 - m2 / (m1 + m2) * depth p ^ 2.
-Proof. intros H1 H2 Hp. rewrite level_loss, push_0 by auto. ring. Qed.
+Lemma level_0 p : 0 < p < PI -> level p 0 = hh p ^ 2 - r * depth p ^ 2.
+Proof. intros Hp. rewrite level_loss, push_0 by auto. ring. Qed.
 
-(** *** From the right exit ray, without a gap: every solution slips until the half angle p with hh p = u *)
-Section Ray.
-Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let M := m1 + m2.
-Let q := m1 / M.
-Let r := m2 / M.
-Let o1 := o1 m1 a2.
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
-Let ray := ray m1 m2 a2 b.
+(** *** From an exit ray, without a gap: every solution slips until the half angle p with hh p = u *)
 Let on_ray := on_ray m1 m2 a2 b.
+
+(** where it ends, and at which level: that of the return map *)
+Lemma ray_slip k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 ->
+  0 < p < PI -> on_ray k (hh p) x v1 v2 t0 -> let t1 := t0 + 2 * p / o1 in
+  (forall t, t0 < t < t1 -> k * v1 t < k * v2 t) /\ v1 t1 = v2 t1 /\ k * x t1 = L * (1 - q * depth p) /\
+  k * v1 t1 = - ray (2 * p - hh p) /\
+  energy m1 m2 a2 (x t1) (v1 t1) (v2 t1) = Ecr * (1 + q * (hh p ^ 2 - r * depth p ^ 2)).
+Proof.
+  intros Hk H Ht Hp HR t1. apply ray_gap in HR. rewrite <- (push_0 p) in HR.
+  destruct (gap_slip k x v1 v2 s t0 0 p Hk H Ht (Rle_refl 0) Hp HR)
+    as (_ & Sg & A & B & C & En). fold o1 t1 in Sg, A, B, C, En. rewrite <- next_push, push_0 in B, C by auto.
+  rewrite Rplus_0_r in A.
+  rewrite level_0 in En by auto. repeat (split; [auto; fail|]). split; [destruct Hk; subst k; lra|auto].
+Qed.
 
 (** [slip-arc] From the right exit ray with the exit speed $h$ of an angle every solution slips up to that angle, and
     ends where the closed form says. *)
@@ -256,21 +243,9 @@ Theorem slip x v1 v2 s t0 p : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < 
   x (t0 + 2 * p / o1) = L * (1 - q * depth p) /\
   v1 (t0 + 2 * p / o1) = ray (hh p - 2 * p) /\ v2 (t0 + 2 * p / o1) = ray (hh p - 2 * p).
 Proof.
-  intros H Ht Hp HR. apply ray_gap in HR. rewrite <- (push_0 p) in HR.
-  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb 1 x v1 v2 s t0 0 p (or_introl eq_refl) H Ht (Rle_refl 0) Hp HR)
-    as (_ & Sg & A & B & C & _). pose proof (next_push 0 p Hp) as N. rewrite push_0 in N. rewrite <- N in B, C.
-  fold o1 in Sg, A, B, C. fold L M in A. fold q in A. unfold ray, Cycle.ray in *.
-  split; [intros u Hu; specialize (Sg (t0 + u) ltac:(lra)); lra|]. repeat split; lra.
+  intros H Ht Hp HR. destruct (ray_slip 1 x v1 v2 s t0 p (or_introl eq_refl) H Ht Hp HR) as (Sg & Ev & A & B &
+    _).
+  split; [intros u Hu; specialize (Sg (t0 + u) ltac:(lra)); lra|]. unfold ray, Cycle.ray in *.
+  repeat split; lra.
 Qed.
-
-(** the return map, from the energy at the landing *)
-Lemma slip_level x v1 v2 s t0 p : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < p < PI -> on_ray 1 (hh p) x v1 v2
-  t0 ->
-  let t1 := t0 + 2 * p / o1 in
-  energy m1 m2 a2 (x t1) (v1 t1) (v2 t1) = Ecr * (1 + q * (hh p ^ 2 - r * depth p ^ 2)).
-Proof.
-  intros H Ht Hp HR t1. apply ray_gap in HR. rewrite <- (push_0 p) in HR.
-  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb 1 x v1 v2 s t0 0 p (or_introl eq_refl) H Ht (Rle_refl 0) Hp HR)
-    as (_ & _ & _ & _ & _ & En). rewrite level_0 in En by auto. exact En.
-Qed.
-End Ray.
+End Gap.

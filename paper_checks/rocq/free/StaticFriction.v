@@ -7,9 +7,7 @@ From InertialPair Require Import Dini Pair Stick Approach EnergyLimit.
 Section Robust.
 Variables m1 m2 a1 a2 bs bk : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hk : 0 < bk) (Hs : bk < bs).
-Let M := m1 + m2.
-Let kap := M / (m1 * m2).
-Let energy := energy m1 m2 a2.
+Context (M := m1 + m2) (kap := M / (m1 * m2)) (energy := energy m1 m2 a2).
 
 (** the friction that sticking needs *)
 Definition stick_load x v := - (m2 * (a2 * x + a1 * v)) / (m1 + m2).
@@ -57,12 +55,10 @@ Definition least_loss e := bk * ((m1 + m2) / (m1 * m2)) * (bs - bk) * least_slip
 (** *** Any motion with both frictions, whether it keeps its sticks or not *)
 Section Moves.
 Context (x v1 v2 s : R -> R) (H : two_frictions x v1 v2 s).
-Let w t := v1 t - v2 t.
-Let E t := energy (x t) (v1 t) (v2 t).
-Let ld t := stick_load (x t) (v1 t).
-Let C := load_rate (E 0).
-Let h0 := least_slip (E 0).
-Let e0 := least_loss (E 0).
+Context (w := fun t => v1 t - v2 t) (E := fun t => energy (x t) (v1 t) (v2 t))
+  (ld := fun t => stick_load (x t) (v1 t)).
+Context (e : R) (He : E 0 <= e).
+Context (C := load_rate e) (h0 := least_slip e) (e0 := least_loss e).
 
 Let Mp : 0 < M. Proof. positive. Qed.
 Let Kp : 0 < kap. Proof. positive. Qed.
@@ -71,7 +67,7 @@ Let Kp : 0 < kap. Proof. positive. Qed.
 Lemma jumping_moves : moves m1 m2 a1 a2 bk (bs / bk) (fun _ => 0) x v1 v2 s.
 Proof. apply two_frictions_moves, H. Qed.
 Let Cs : cont s. Proof. exact (moves_cs _ _ _ _ _ _ _ _ _ _ _ jumping_moves). Qed.
-Let Cw : cont w.
+Lemma jumping_cw : cont w.
 Proof. apply cont_minus; [apply (j_cv _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ jumping_moves)]. Qed.
 Let CE : cont E. Proof. exact (moves_cE _ _ _ _ _ Hm2 _ _ _ _ _ _ jumping_moves). Qed.
 
@@ -90,17 +86,15 @@ Proof. exact (free_energy_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ jumping_moves t). Qed
 Lemma jumping_decreases r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (free_decreases _ _ _ _ _ Hm1 Hm2 Ha1 Hk _ _ _ _ _ jumping_moves r t). Qed.
 
-(** what the energy bounds *)
-Lemma root_bound y c e : 0 < c -> c * y ^ 2 / 2 <= e -> Rabs y <= sqrt (2 * e / c).
-Proof. intros Hc Q. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. undivide c. lra. Qed.
-
 (** the load changes slowly *)
 Lemma load_lip r t : 0 <= r <= t -> Rabs (ld t - ld r) <= C * (t - r).
 Proof.
-  intros Hr. set (P := sqrt (2 * E 0 / a2)). set (V := sqrt (2 * E 0 / m1)). set (A := (a2 * P + a1 * V + bs) / m1).
+  intros Hr. set (P := sqrt (2 * e / a2)). set (V := sqrt (2 * e / m1)).
+  set (A := (a2 * P + a1 * V + bs) / m1).
   assert (Bd : forall u, 0 <= u -> Rabs (x u) <= P /\ Rabs (v1 u) <= V).
-  { intros u Hu. pose proof (jumping_decreases 0 u ltac:(lra)) as D. unfold E at 1, energy, Pair.energy in D.
-    split; apply root_bound; auto; nra. }
+  { intros u Hu. destruct (Forced.energy_parts m1 m2 a2 Hm1 Hm2 Ha2 (x u) (v1 u) (v2 u) e) as (Q1 & Q2 & _);
+      [exact (Rle_trans _ _ _ (jumping_decreases 0 u ltac:(lra)) He)|]. split; apply Forced.root_bound; auto.
+      }
   assert (Lx : Rabs (x t - x r) <= V * (t - r)).
   { apply (lip_of_rderiv x v1); auto using (j_cx _ _ _ _ H). split; [apply (j_x _ _ _ _ H)|apply Bd]; auto. }
   assert (Lv : Rabs (v1 t - v1 r) <= A * (t - r)).
@@ -158,7 +152,7 @@ Qed.
 (** and once it slips it does not stop, but gains speed *)
 Lemma gains p t : c <= p <= t -> t <= c + h0 -> 0 < k * w p -> kap * ((bs - bk) / 2) * (t - p) <= k * w t.
 Proof.
-  intros Hp Ht Wp. assert (Ck : cont (fun u => k * w u)) by (apply cont_scal, Cw).
+  intros Hp Ht Wp. assert (Ck : cont (fun u => k * w u)) by (apply cont_scal, jumping_cw).
   assert (Rate : forall u, p <= u <= t -> kap * ((bs - bk) / 2) <= kap * (k * ld u - bk)).
   { intros u Hu. pose proof (load_above u ltac:(lra)). scale. }
   assert (Up : forall u, p <= u <= t -> k * w p <= k * w u).
@@ -213,23 +207,19 @@ End Moves.
 Section One.
 Context (x v1 v2 s : R -> R) (H : jumping x v1 v2 s).
 Let H2 := j_two _ _ _ _ H.
-Let w t := v1 t - v2 t.
-Let E t := energy (x t) (v1 t) (v2 t).
-Let ld t := stick_load (x t) (v1 t).
-Let h0 := least_slip (E 0).
-Let e0 := least_loss (E 0).
+Context (w := fun t => v1 t - v2 t) (E := fun t => energy (x t) (v1 t) (v2 t))
+  (ld := fun t => stick_load (x t) (v1 t)) (h0 := least_slip (E 0)) (e0 := least_loss (E 0)).
 Let Kp : 0 < kap. Proof. positive. Qed.
-Let H0 : 0 < h0 := slip_pos _ _ _ _ H2.
-Let e0_pos : 0 < e0 := loss_pos _ _ _ _ H2.
+Let H0 : 0 < h0 := slip_pos _ _ _ _ H2 (E 0) (Rle_refl _).
+Let e0_pos : 0 < e0 := loss_pos _ _ _ _ H2 (E 0) (Rle_refl _).
 Let falls r t : 0 <= r <= t -> E t <= E r := jumping_decreases _ _ _ _ H2 r t.
 Let back c k : 0 <= c -> v1 c = v2 c -> k = 1 \/ k = -1 -> bs <= k * ld c -> forall t, c <= t <= c + h0 -> 0 <= k * w t :=
-  not_back _ _ _ _ H2 c k.
+  not_back _ _ _ _ H2 (E 0) (Rle_refl _) c k.
 Let faster c k : 0 <= c -> k = 1 \/ k = -1 -> bs <= k * ld c -> forall p t, c <= p <= t -> t <= c + h0 -> 0 < k * w p ->
-  kap * ((bs - bk) / 2) * (t - p) <= k * w t := gains _ _ _ _ H2 c k.
+  kap * ((bs - bk) / 2) * (t - p) <= k * w t := gains _ _ _ _ H2 (E 0) (Rle_refl _) c k.
 Let dearer c k : 0 <= c -> k = 1 \/ k = -1 -> bs <= k * ld c -> forall p, c <= p <= c + h0 / 2 -> 0 < k * w p ->
-  E (c + h0) <= E c - e0 := loses _ _ _ _ H2 c k.
-Let Cw : cont w.
-Proof. apply cont_minus; [apply (j_cv _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ (jumping_moves _ _ _ _ H2))]. Qed.
+  E (c + h0) <= E c - e0 := loses _ _ _ _ H2 (E 0) (Rle_refl _) c k.
+Let Cw : cont w := jumping_cw _ _ _ _ H2.
 
 (** where a stick can be left *)
 Lemma leaves c : 0 <= c -> v1 c = v2 c -> (forall d, 0 < d -> exists u, c < u < c + d /\ v1 u <> v2 u) ->

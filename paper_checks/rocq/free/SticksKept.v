@@ -6,8 +6,7 @@ From InertialPair Require Import Dini Pair Stick Pursuit Arcs WellPosed EnergyLi
 Section Kept.
 Variables m1 m2 a1 a2 bs bk : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hk : 0 < bk) (Hs : bk < bs).
-Let energy := energy m1 m2 a2.
-Let load := stick_load m1 m2 a1 a2.
+Context (energy := energy m1 m2 a2) (load := stick_load m1 m2 a1 a2).
 Let jumping := jumping m1 m2 a1 a2 bs bk.
 Let until T := moves_until m1 m2 a1 a2 bk T (bs / bk) (fun _ => 0).
 
@@ -44,45 +43,41 @@ Proof.
 Qed.
 
 (** *** a slip from a contact with the load bs or more: it goes on to the next contact, and costs *)
-Lemma launch x v1 v2 s : solution m1 m2 a1 a2 bk x v1 v2 s -> v1 0 = v2 0 -> bs <= Rabs (load (x 0) (v1 0)) ->
+Lemma launch e x v1 v2 s : solution m1 m2 a1 a2 bk x v1 v2 s -> energy (x 0) (v1 0) (v2 0) <= e ->
+  v1 0 = v2 0 -> bs <= Rabs (load (x 0) (v1 0)) ->
   exists q, 0 < q /\ v1 q = v2 q /\ (forall u, 0 < u < q -> v1 u <> v2 u) /\
-    energy (x q) (v1 q) (v2 q) <= energy (x 0) (v1 0) (v2 0) - least_loss m1 m2 a1 a2 bs bk (energy (x 0) (v1 0) (v2 0)).
+    energy (x q) (v1 q) (v2 q) <= energy (x 0) (v1 0) (v2 0) - least_loss m1 m2 a1 a2 bs bk e.
 Proof.
-  intros H Meet Edge. pose proof (kinetic _ _ _ _ H) as H2. set (w := fun t => v1 t - v2 t).
-  set (E := fun t => energy (x t) (v1 t) (v2 t)). set (h0 := least_slip m1 m2 a1 a2 bs bk (E 0)).
-  pose proof (slip_pos m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ H2 : 0 < h0) as H0.
+  intros H He Meet Edge. pose proof (kinetic _ _ _ _ H) as H2. set (w := fun t => v1 t - v2 t).
+  set (h0 := least_slip m1 m2 a1 a2 bs bk e).
+  pose proof (slip_pos m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ H2 e He : 0 < h0) as H0.
   assert (Side : exists k, (k = 1 \/ k = -1) /\ bs <= k * load (x 0) (v1 0)).
   { unfold Rabs in Edge. destruct (Rcase_abs (load (x 0) (v1 0))); [exists (-1)|exists 1]; split; auto; lra. }
   destruct Side as (k & Hk' & Ek).
-  pose proof (not_back m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ H2 0 k (Rle_refl 0) Meet Hk' Ek) as Back.
-  pose proof (gains m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ H2 0 k (Rle_refl 0) Hk' Ek) as Fast.
-  pose proof (loses m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ H2 0 k (Rle_refl 0) Hk' Ek) as Dear.
-  rewrite Rplus_0_l in Back, Fast, Dear. change (least_slip _ _ _ _ _ _ _) with h0 in Back, Fast, Dear.
+  pose proof (gains m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ H2 e He 0 k (Rle_refl 0) Hk' Ek) as Fast.
+  pose proof (loses m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ H2 e He 0 k (Rle_refl 0) Hk' Ek) as Dear.
+  rewrite Rplus_0_l in Fast, Dear. change (least_slip _ _ _ _ _ _ _) with h0 in Fast, Dear.
   pose proof (jumping_moves _ _ _ _ _ _ Hk _ _ _ _ H2) as Mv. set (kap := (m1 + m2) / (m1 * m2)) in *.
-  assert (Kp : 0 < kap) by positive.
-  (* it does not stay in contact *)
-  assert (Soon : forall d, 0 < d -> d <= h0 -> exists p, 0 < p <= d /\ 0 < k * w p).
-  { intros d Hd Hd'. apply Classical_Prop.NNPP. intros No.
-    assert (Z : forall u, 0 <= u < 0 + d -> w u = 0).
-    { intros u Hu. destruct (Req_dec u 0) as [->|Nu]; [unfold w; lra|].
-      pose proof (Back u ltac:(lra)) as B. fold (w u) in B. destruct (Rlt_dec 0 (k * w u)) as [Lt|].
-      - exfalso. apply No. exists u. split; [lra|auto].
-      - nra. }
-    pose proof (moves_slip m1 m2 a1 a2 bk Hm1 Hm2 _ _ _ _ _ _ Mv 0 0 (Rle_refl 0) (rderiv_const 0 0)) as Rs.
-    assert (Ds : rderiv s 0 (load (x 0) (v1 0) / bk)).
-    { apply rderiv_near with (fun r => / (bk * kap) * (v1 r - v2 r + bk * kap * s r)) d; auto.
-      - intros u Hu. specialize (Z u Hu). unfold w in Z. rewrite Z. field. lra.
-      - eapply rderiv_eq; [|apply rderiv_scal, Rs]. unfold load, stick_load, kap. field. repeat split; lra. }
-    pose proof (lip_rderiv s 1 0 _ ltac:(intros r q Hr; rewrite Rmult_1_l; apply (s_lip _ _ _ _ _ _ _ _ _ H); auto) (Rle_refl 0) Ds) as B.
-    unfold Rdiv in B. rewrite Rabs_mult, (Rabs_pos_eq (/ bk)) in B by (apply Rlt_le, Rinv_0_lt_compat; auto).
-    apply (Rmult_le_compat_l bk) in B; [|lra]. replace (bk * (Rabs (load (x 0) (v1 0)) * / bk)) with (Rabs (load (x 0) (v1 0))) in B
-      by (field; lra). lra. }
+  assert (Kp : 0 < kap) by positive. assert (Cw : cont w) by exact (jumping_cw _ _ _ _ _ _ Hm2 Hk _ _ _ _ H2).
+  (* it leaves the contact at once *)
+  destruct (moves_slip m1 m2 a1 a2 bk Hm1 Hm2 _ _ _ _ _ _ Mv 0 0 (Rle_refl 0) (rderiv_const 0 0) (kap * ((bs -
+    bk) / 2))
+    ltac:(positive)) as (d & Hd & Near). fold kap in Near.
+  replace ((0 - a2 * x 0 - a1 * v1 0) / m1) with (kap * load (x 0) (v1 0)) in Near
+    by (unfold kap, load, stick_load; field; lra).
   assert (Pos : forall u, 0 < u <= h0 -> 0 < k * w u).
-  { intros u Hu. destruct (Soon u ltac:(lra) ltac:(lra)) as (p & Hp & Wp).
+  { intros u Hu. set (p := Rmin u (d / 2)). assert (P : 0 < p) by positive. assert (p <= u) by apply Rmin_l.
+    assert (p <= d / 2) by apply Rmin_r. assert (Wp : 0 < k * w p).
+    { specialize (Near p ltac:(lra)). rewrite Rplus_0_l in Near. apply Rabs_inv in Near.
+      pose proof (s_lip _ _ _ _ _ _ _ _ _ H 0 p ltac:(lra)) as Li. apply Rabs_inv in Li.
+      assert (0 <= kap * bk * (p - k * (s p - s 0))) by (apply Rmult_le_pos; [positive|destruct Hk'; subst k;
+        lra]).
+      assert (0 <= kap * p * (k * load (x 0) (v1 0) - bs)) by positive.
+      assert (0 < kap * p * (bs - bk)) by positive.
+      unfold w. destruct Hk'; subst k; lra. }
+    destruct (Req_dec p u) as [Eq|Np]; [rewrite <- Eq; auto|].
     pose proof (Fast p u ltac:(lra) ltac:(lra) Wp) as G. fold (w u) in G.
-    destruct (Req_dec p u) as [<-|Np]; auto. assert (0 < kap * ((bs - bk) / 2) * (u - p)); [|lra].
-    apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra. }
-  assert (Cw : cont w) by (apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ Mv)]).
+    assert (0 < kap * ((bs - bk) / 2) * (u - p)) by positive. lra. }
   destruct (moves_contact m1 m2 a1 a2 bk Hm1 Hm2 Ha1 Ha2 Hk _ _ _ _ _ h0 Mv ltac:(lra)) as (t & Ht & Zt).
   pose proof (Pos h0 ltac:(lra)) as Wh.
   destruct (first_zero w h0 t Cw ltac:(lra)) as (q & Hq & Zq & Sl); [unfold w at 2; rewrite Zt; lra|intros Z; rewrite Z in Wh; lra|].
@@ -123,31 +118,6 @@ Proof.
   - intros t Ht. rewrite !Eb. apply (s_v2 _ _ _ _ _ _ _ _ _ H). lra.
 Qed.
 
-(** the cost falls with the energy *)
-Lemma loss_less e e' : 0 <= e <= e' -> least_loss m1 m2 a1 a2 bs bk e' <= least_loss m1 m2 a1 a2 bs bk e.
-Proof.
-  intros He. assert (Mp : 0 < m2 / (m1 + m2)) by positive.
-  assert (Rt : forall c, 0 < c -> 0 <= sqrt (2 * e / c) <= sqrt (2 * e' / c)).
-  { split; [apply sqrt_pos|]. apply sqrt_le_1_alt.
-    apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|lra]. }
-  pose proof (Rt m1 Hm1) as R1. pose proof (Rt a2 Ha2) as R2.
-  assert (Ld : 0 <= load_rate m1 m2 a1 a2 bs e <= load_rate m1 m2 a1 a2 bs e').
-  { assert (I : 0 < / m1) by positive. assert (S1 : 0 <= a2 * sqrt (2 * e / m1) <= a2 * sqrt (2 * e' / m1)) by nra.
-    assert (S2 : 0 <= a2 * sqrt (2 * e / a2) <= a2 * sqrt (2 * e' / a2)) by nra.
-    assert (S3 : 0 <= a1 * sqrt (2 * e / m1) <= a1 * sqrt (2 * e' / m1)) by nra.
-    assert (S4 : 0 <= a1 * ((a2 * sqrt (2 * e / a2) + a1 * sqrt (2 * e / m1) + bs) / m1) <= a1 * ((a2 * sqrt (2 * e' / a2) + a1 * sqrt (2 * e' / m1) + bs) / m1)).
-    { split; [apply Rmult_le_pos; auto; apply Rmult_le_pos; lra|]. apply Rmult_le_compat_l; auto.
-      apply Rmult_le_compat_r; lra. }
-    split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra]. }
-  assert (Dp : 0 < (bs - bk) * sqrt (a2 / m1)) by positive. unfold least_loss, least_slip.
-  set (D := (bs - bk) * sqrt (a2 / m1)) in *. set (l := load_rate m1 m2 a1 a2 bs e) in *.
-  set (l' := load_rate m1 m2 a1 a2 bs e') in *. assert (Sl : 0 <= (bs - bk) / (2 * l' + D) <= (bs - bk) / (2 * l + D)).
-  { split; [apply Rlt_le, Rdiv_lt_0_compat; lra|]. apply Rmult_le_compat_l; [lra|]. apply Rinv_le_contravar; lra. }
-  assert (((bs - bk) / (2 * l' + D)) ^ 2 <= ((bs - bk) / (2 * l + D)) ^ 2) by nra.
-  assert (0 < (m1 + m2) / (m1 * m2)) by positive. assert (0 <= bk * ((m1 + m2) / (m1 * m2)) * (bs - bk)) by positive.
-  nra.
-Qed.
-
 (** from contacts, by the number of slips that the energy can pay for *)
 Section Paid.
 Variable e : R.
@@ -159,14 +129,16 @@ Hypothesis Fewer : forall x0 v0, energy x0 v0 v0 <= e -> energy x0 v0 v0 <= (INR
 Lemma from_edge x0 v0 : energy x0 v0 v0 <= e -> energy x0 v0 v0 <= INR n * e0 -> bs <= Rabs (load x0 v0) -> starts x0 v0 v0.
 Proof.
   intros He Hn Edge. destruct (existence m1 m2 a1 a2 bk x0 v0 v0 Hm1 Hm2 Ha1 Ha2 Hk) as (x & v1 & v2 & s & H & X0 & V10 & V20).
-  destruct (launch x v1 v2 s H ltac:(lra)) as (q & Hq & Mq & Sl & Cost); [rewrite X0, V10; auto|].
-  rewrite X0, V10, V20 in Cost. pose proof (loss_less (energy x0 v0 v0) e) as L.
-  specialize (L ltac:(split; [apply energy_pos; auto|auto])). fold e0 in L.
+  rewrite <- X0, <- V10 in Edge. assert (He' : energy (x 0) (v1 0) (v2 0) <= e) by (rewrite X0, V10, V20;
+    auto).
+  destruct (launch e x v1 v2 s H He' ltac:(lra) Edge) as (q & Hq & Mq & Sl & Cost). fold e0 in Cost.
+  rewrite X0, V10, V20 in Cost. rewrite X0, V10 in Edge.
   assert (St : starts (x 0) (v1 0) (v2 0)); [|rewrite X0, V10, V20 in St; exact St].
   apply (piece_first q x v1 v2 s); [lra|apply kinetic_until; auto; lra| |].
   - intros t Ht Meet Ld. exfalso. destruct (Req_dec t 0) as [->|N]; [rewrite X0, V10 in Ld; lra|]. apply (Sl t); [lra|auto].
-  - rewrite <- Mq in Cost |- *. pose proof (loss_pos m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ (kinetic _ _ _ _ H)) as P.
-    cbv beta in P. rewrite X0, V10, V20 in P. unfold energy in *. apply Fewer; unfold energy; lra.
+  - rewrite <- Mq in Cost |- *.
+    pose proof (loss_pos m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ (kinetic _ _ _ _ H) e He' : 0 < e0).
+    apply Fewer; lra.
 Qed.
 
 (** with any load *)
@@ -220,8 +192,8 @@ Proof.
   set (e := energy x0 p q).
   destruct (existence m1 m2 a1 a2 bk x0 p q Hm1 Hm2 Ha1 Ha2 Hk) as (x & v1 & v2 & s & H & X0 & V10 & V20).
   pose proof (solution_moving _ _ _ _ _ _ _ _ _ H) as Mv. assert (Pay : 0 < least_loss m1 m2 a1 a2 bs bk e).
-  { pose proof (loss_pos m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ (kinetic _ _ _ _ H)) as L.
-    cbv beta in L. rewrite X0, V10, V20 in L. exact L. }
+  { apply (loss_pos m1 m2 a1 a2 bs bk Hm1 Hm2 Ha1 Ha2 Hk Hs _ _ _ _ (kinetic _ _ _ _ H)).
+    rewrite X0, V10, V20. apply Rle_refl. }
   assert (All : forall n y v, energy y v v <= e -> energy y v v <= INR n * least_loss m1 m2 a1 a2 bs bk e -> starts y v v).
   { induction n as [|n IH]; intros y v He Hn; apply (from_contact e _) with (2 := Hn) || idtac; auto.
     - apply (from_contact e O); auto. intros y' v' _ Neg. simpl in Neg.
@@ -232,8 +204,8 @@ Proof.
   destruct (Req_dec p q) as [<-|Npq]; [apply Con; unfold e; lra|].
   (* until the first contact *)
   destruct (moves_contact m1 m2 a1 a2 bk Hm1 Hm2 Ha1 Ha2 Hk _ _ _ _ _ 0 Mv (Rle_refl 0)) as (t & Ht & Zt).
-  set (w := fun t => v1 t - v2 t). assert (Cw : cont w)
-    by (apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ Mv)]).
+  set (w := fun t => v1 t - v2 t). assert (Cw : cont w) by exact (jumping_cw _ _ _ _ _ _ Hm2 Hk _ _ _ _
+    (kinetic _ _ _ _ H)).
   assert (W0 : w 0 <> 0) by (unfold w; rewrite V10, V20; lra).
   destruct (first_zero w 0 t Cw ltac:(lra)) as (T & HT & ZT & Before); [unfold w at 2; rewrite Zt; lra|auto|].
   assert (St : starts (x 0) (v1 0) (v2 0)); [|rewrite X0, V10, V20 in St; exact St].

@@ -14,9 +14,8 @@ Lemma literal_force (v c : R -> R) x0 : ac v -> almost (fun t => is_derive v t (
   almost (fun t => Rabs (c t) < b / m2) -> switching m1 m2 a1 a2 b (push_of x0 v c) (place x0 v) v v.
 Proof.
   intros Av Dv Sm. pose proof (cont_ac _ Av) as Cv.
-  assert (Cx : cont (place x0 v)) by (apply cont_plus; [apply cont_const|apply integral_cont; auto]).
-  assert (Rx : forall t, 0 <= t -> rderiv (place x0 v) t (v t)).
-  { intros t Ht. apply rderiv_eq with (0 + v t); [ring|]. apply rderiv_plus; [apply rderiv_const|apply integral_rderiv; auto]. }
+  assert (Cx : cont (place x0 v)) by (unfold place; continuous).
+  assert (Rx : forall t, 0 <= t -> rderiv (place x0 v) t (v t)) by (intros t Ht; unfold place; rate; ring).
   split; [exact (ac_of_rderiv _ v Cx Cv Rx)|]. repeat (split; [auto|]).
   generalize (almost_and _ _ almost_later (almost_and _ _ Dv Sm)). apply almost_impl. intros t _ (Ht & D & Hc).
   exists (c t), (c t). split; [exact (derive_of_rderiv _ v t Cx Cv Rx Ht)|split; [auto|split; [auto|]]].
@@ -74,8 +73,7 @@ Proof.
   { generalize (almost_and _ _ almost_later (almost_and _ _ (almost_not (2 * tau)) (almost_not tau))).
     apply almost_impl. intros t _ (Pt & N2 & N1). split; [auto|]. destruct (side_near (2 * tau) t N2) as (d2 & Hd2 & K2).
     destruct (side_near tau t N1) as (d1 & Hd1 & K1). destruct (side_near 0 t ltac:(lra)) as (d & Hd & K).
-    exists (Rmin d (Rmin d1 d2)). pose proof (Rmin_l d (Rmin d1 d2)). pose proof (Rmin_r d (Rmin d1 d2)).
-    pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2). split; [repeat apply Rmin_glb_lt; auto|]. intros r Hr.
+    smaller d (Rmin d1 d2). intros r Hr.
     destruct (K r ltac:(lra)) as (S & B), (K1 r ltac:(lra)) as (S1 & B1), (K2 r ltac:(lra)) as (S2 & B2).
     unfold c, v, push, bang. rewrite S, S1, S2, B, B1, B2. split; field. }
   assert (Bc : forall t, 0 <= t -> Rabs (c t) <= Rabs A).
@@ -89,9 +87,8 @@ Proof.
     apply (derive_near (fun r => v t + c t * (r - t)) v t d); auto; [intros; symmetry; apply K; auto|].
     auto_derive; auto. ring. }
   set (x := fun t => x0 + integral v t). set (u := fun t => (m1 + m2) * c t + a1 * v t + a2 * x t).
-  assert (Cx : cont x) by (apply cont_plus; [apply cont_const|apply integral_cont; auto]).
-  assert (Rx : forall t, 0 <= t -> rderiv x t (v t)).
-  { intros t Ht'. apply rderiv_eq with (0 + v t); [ring|]. apply rderiv_plus; [apply rderiv_const|apply integral_rderiv; auto]. }
+  assert (Cx : cont x) by continuous. assert (Rx : forall t, 0 <= t -> rderiv x t (v t)) by (intros t Ht';
+    rate; ring).
   set (U := fun t => (m1 + m2) * v t + (a1 * x t + a2 * integral x t)). exists u, U, x, v, y. split; [split|].
   { apply ac_plus; [apply ac_scal; auto|]. apply ac_plus; apply ac_scal; [exact (ac_of_rderiv x v Cx Cv Rx)|].
     apply (ac_of_rderiv (integral x) x); auto using integral_cont. intros t Ht'. apply integral_rderiv; auto. }
@@ -114,13 +111,7 @@ Proof.
   { intros t. apply rderiv_eq with (0 + A * (bang 1 1 tau t - 0)); [unfold v; ring|]. apply rderiv_plus;
       [apply rderiv_const|]. apply rderiv_scal, rderiv_minus; [apply rderiv_run|apply rderiv_const]. }
   split.
-  { assert (Cz : forall z, cont (fun t => (t - z) * Rabs (t - z))).
-    { intros z. assert (Cl : cont (fun t => t - z)); [|apply cont_mult, cont_abs; auto]. apply (lip_cont _ 1); [lra|].
-      intros r t Hr. rewrite Rabs_pos_eq; lra. }
-    apply cont_plus; [apply cont_const|]. apply cont_scal, cont_minus; [|apply cont_const].
-    apply cont_ext with (fun t => / 4 * ((t - 2 * tau) * Rabs (t - 2 * tau) + (t - 0) * Rabs (t - 0) - 2 * ((t - tau) *
-      Rabs (t - tau)))); [intros; unfold run; field|].
-    apply cont_scal, cont_minus; [apply cont_plus|apply cont_scal]; auto. }
+  { unfold y, run. continuous. }
   split; [intros; apply Ry|]. split; [unfold x; rewrite integral_0; ring|]. split.
   { unfold v, bang. rewrite Rminus_0_r, Rabs_R0, !Rabs_left by lra. field. }
   split; [unfold y; ring|]. intros t Le. assert (2 * tau <= t) by (unfold tau; lra). split.

@@ -20,8 +20,7 @@ Definition switched (u x v1 v2 : R -> R) t := exists a a' : R, is_derive x t (v1
 (** a solution of (3), (4): absolutely continuous, the equations met at almost all times *)
 Definition switching u x v1 v2 := ac x /\ ac v1 /\ ac v2 /\ almost (switched u x v1 v2).
 
-Let load := load m1 m2 a1 a2.
-Let filippov := filippov m1 m2 a1 a2 b.
+Context (load := load m1 m2 a1 a2) (filippov := filippov m1 m2 a1 a2 b).
 
 (** at almost all times of a stick both bodies have one rate *)
 Lemma same_rates v1 v2 : almost (fun t => v1 t = v2 t -> forall a a' : R, is_derive v1 t a -> is_derive v2 t a' -> a = a').

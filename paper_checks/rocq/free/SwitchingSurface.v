@@ -9,12 +9,8 @@ From InertialPair Require Import Dini Pair Stick Excursion ReturnMap Cycle ExitO
 
 Section Surface.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let q := m1 / (m1 + m2).
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
-Let q0 : 0 < q. Proof. apply q_pos; auto. Qed.
-Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
-Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
+Context (q := m1 / (m1 + m2)) (L := L m1 m2 a2 b) (Ecr := Ecr m1 m2 a2 b) (q0 : 0 < q := q_pos m1 m2 Hm1 Hm2)
+  (L0 : 0 < L := L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) (E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb).
 
 (** the rate of v1 - v2 in the slip of sign k: Phi_k . n_S *)
 Definition normal_rate k x := - (a2 * m2 * x + k * b * (m1 + m2)) / (m1 * m2).
@@ -64,7 +60,8 @@ Theorem slips_beyond t : 0 <= t -> v1 t = v2 t -> ~ (- L <= x t <= L) ->
   exists T, 0 < T /\ forall u, t < u < t + T -> 0 < x t * (v2 u - v1 u).
 Proof.
   intros Ht Ev N. destruct (beyond_gap m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 t Ev N) as (k & d & u & Hk & Hd & HG).
-  destruct (gap_slips m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t d u Hk H Ht Hd HG) as (p & Hp & _ & Sg & _).
+  destruct (push_root d u Hd) as (p & (Hp & <-) & _).
+  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t d p Hk H Ht ltac:(lra) Hp HG) as (_ & Sg & _).
   exists (2 * p / o1 m1 a2). pose proof (o1_pos m1 a2 Hm1 Ha2). split; [positive|].
   intros w Hw. specialize (Sg w Hw). destruct HG as (X & _). fold q L in X. assert (0 < L * (1 + q * d)) by positive.
   destruct Hk; subst k; nra.
@@ -92,11 +89,8 @@ Proof.
   { exists 1. split; [lra|]. intros u Hu.
     apply (sticks_iff m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t Ht Ev) with (u := u - t) in Lo; [|lra].
     replace (t + (u - t)) with u in Lo by ring. exact Lo. }
-  apply Rnot_le_lt in Hi. assert (U : 0 < (E t - Ecr) / (Ecr * q)) by positive.
-  set (u := sqrt ((E t - Ecr) / (Ecr * q))). assert (Hu : 0 < u) by positive. assert (En : E t = Ecr * (1 + q * u ^ 2)).
-  { unfold u. replace (sqrt ((E t - Ecr) / (Ecr * q)) ^ 2)
-      with (sqrt ((E t - Ecr) / (Ecr * q)) * sqrt ((E t - Ecr) / (Ecr * q))) by ring.
-    rewrite sqrt_sqrt by lra. field. lra. }
+  apply Rnot_le_lt in Hi. destruct (level_push m1 m2 a2 b Hm1 Hm2 Ha2 Hb (E t) Hi) as (Hu & En).
+  set (u := sqrt _) in *.
   destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t u Ht Ev Hx Hu En) as (k & te & Hk & Te & (X & V & _) & St).
   exists (te - t). split; [|intros w Hw; apply St; lra]. destruct (Req_dec te t) as [->|]; [exfalso|lra].
   fold L in X. pose proof (ray_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb u Hu). destruct Hk; subst k;

@@ -4,55 +4,39 @@ From InertialPair Require Import Dini Excursion ReturnMap.
 
 (** the turning function *)
 Definition K p := (p - sin p * cos p) - sqrt 2 * (sin p - p * cos p).
-(** the factor of its slope that changes sign *)
-Definition k p := 2 * sin p - sqrt 2 * p.
-
-Lemma derive_K p : is_derive K p (sin p * k p).
-Proof. unfold K, k. auto_derive; auto. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. nra. Qed.
-Lemma cont_K : cont K. Proof. eapply cont_of_derive. apply derive_K. Qed.
-Lemma cont_k : cont k.
-Proof. apply cont_of_derive with (fun p => 2 * cos p - sqrt 2). intros t. unfold k. auto_derive; auto. ring. Qed.
-
-(** the mean value theorem for it *)
-Lemma mvt_K u v : u < v -> exists t, u < t < v /\ K v - K u = sin t * k t * (v - u).
+Lemma cont_K : cont K. Proof. eapply cont_of_derive; intros; unfold K; auto_derive; [auto|reflexivity]. Qed.
+(** by a quotient that falls *)
+Definition turned p := (p - sin p * cos p) / (sin p - p * cos p).
+Lemma g_until_pi p : 0 < p <= PI -> 0 < sin p - p * cos p.
+Proof. intros [H [L| ->]]; [apply g_pos; auto|rewrite sin_PI, cos_PI; lra]. Qed.
+Lemma turned_falls p q : 0 < p -> p < q -> q <= PI -> turned q < turned p.
 Proof.
-  intros Huv. destruct (MVT_cor2 K (fun t => sin t * k t) u v Huv) as (t & E & Ht).
-  { intros t _. apply is_derive_Reals, derive_K. } exists t; auto.
+  intros Hp Hpq Hq. apply Ropp_lt_cancel. apply (climbs (fun u => - turned u) (fun u =>
+    sin u * (u ^ 2 + u * (sin u * cos u) - 2 * sin u ^ 2) / (sin u - u * cos u) ^ 2)); [auto| |]; intros t Ht;
+    pose proof (g_until_pi t ltac:(lra)) as G.
+  - unfold turned. auto_derive; [lra|]. circle t. field_simplify_eq; [simpl; nsatz|lra].
+  - apply Rdiv_lt_0_compat; [|positive]. apply Rmult_lt_0_compat; [apply sin_gt_0; lra|].
+    apply Rle_lt_trans with (0 ^ 2 + 0 * (sin 0 * cos 0) - 2 * sin 0 ^ 2); [rewrite sin_0; lra|].
+    apply (climbs (fun u => u ^ 2 + u * (sin u * cos u) - 2 * sin u ^ 2)
+      (fun u => (2 * u * (2 + cos (2 * u)) - 3 * sin (2 * u)) / 2)); [lra|dern|].
+    intros u Hu. pose proof (cusa_strict (2 * u) ltac:(lra)). lra.
 Qed.
-
-Lemma turn : exists p1, 0 < p1 < PI /\ (forall t, 0 < t < p1 -> 0 < k t) /\ (forall t, p1 < t < PI -> k t < 0).
-Proof.
-  pose proof PI2_1 as P1. pose proof (sqrt_sqrt 2 ltac:(lra)). pose proof (sqrt_pos 2).
-  assert (S2 : 1 < sqrt 2 < 3 / 2) by nra.
-  assert (E : forall t, 0 < t -> k t = 2 * t * (sin t / t - sqrt 2 / 2)) by (intros; unfold k; field; lra).
-  destruct (cont_IVT k (1 / 2) PI cont_k) as (p1 & Hp & Z); [lra| |].
-  { pose proof (sin_above (1 / 2) ltac:(lra)). assert (0 < k (1 / 2)) by (unfold k; lra).
-    assert (k PI < 0) by (unfold k; rewrite sin_PI; nra). nra. }
-  assert (p1 < PI) by (destruct (Req_dec p1 PI) as [->|]; [unfold k in Z; rewrite sin_PI in Z; nra|lra]).
-  rewrite E in Z by lra. apply Rmult_integral in Z. exists p1. repeat split; try lra; intros t Ht; rewrite E by lra.
-  - pose proof (sinc_strict t p1 ltac:(lra) ltac:(lra) ltac:(lra)). apply Rmult_lt_0_compat; lra.
-  - pose proof (sinc_strict p1 t ltac:(lra) ltac:(lra) ltac:(lra)).
-    assert (0 < 2 * t * (sqrt 2 / 2 - sin t / t)) by (apply Rmult_lt_0_compat; lra). lra.
-Qed.
+Lemma K_turned q : 0 < q <= PI -> 0 < sin q - q * cos q /\ K q = (sin q - q * cos q) * (turned q - sqrt 2).
+Proof. intros Hq. pose proof (g_until_pi q Hq). split; [auto|]. unfold K, turned. field. lra. Qed.
 
 (** [turning-point] The turning function has one zero $\varphi^*$ in $(0,\pi]$. *)
 Theorem root : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q < p -> 0 < K q) /\ (forall q, p < q <= PI ->
   K q < 0).
 Proof.
-  destruct turn as (p1 & H1 & Up & Down). assert (S2 : 1 < sqrt 2). { rewrite <- sqrt_1 at 1. apply sqrt_lt_1; lra. }
-  assert (K0 : K 0 = 0) by (unfold K; rewrite sin_0; ring).
-  assert (KP : K PI < 0). { unfold K. rewrite sin_PI, cos_PI. nra. } assert (A : forall q, 0 < q <= p1 -> 0 < K q).
-  { intros q Hq. destruct (mvt_K 0 q ltac:(lra)) as (t & Ht & E). pose proof (Up t ltac:(lra)).
-    pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)). assert (0 < sin t * k t) by positive. nra. }
-  assert (B : forall u v, p1 <= u -> u < v -> v <= PI -> K v < K u).
-  { intros u v Hu Huv Hv. destruct (mvt_K u v Huv) as (t & Ht & E).
-    pose proof (Down t ltac:(lra)). pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)).
-      assert (sin t * k t < 0) by nra. nra. }
-  pose proof (A p1 ltac:(lra)) as K1. destruct (cont_IVT K p1 PI cont_K) as (p & Hp & Z); [lra|nra|].
-  assert (p1 < p < PI). { destruct (Req_dec p p1); [subst p; lra|]. destruct (Req_dec p PI); [subst p; lra|]. lra. }
-  exists p. repeat split; auto; try lra.
-  - intros q Hq. destruct (Rle_dec q p1); [apply A; lra|]. rewrite <- Z. apply B; lra.
-  - intros q Hq. rewrite <- Z. apply B; lra.
+  pose proof PI2_3_2. assert (S : 1 < sqrt 2 < 3 / 2)
+    by (pose proof (sqrt_sqrt 2 ltac:(lra)); pose proof (sqrt_pos 2); nra).
+  assert (KP : K PI < 0) by (unfold K; rewrite sin_PI, cos_PI; nra).
+  assert (KH : 0 < K (PI / 2)) by (unfold K; rewrite sin_PI2, cos_PI2; lra).
+  destruct (cont_IVT K (PI / 2) PI cont_K) as (p & Hp & Z); [lra|nra|]. exists p.
+  assert (p <> PI) by (intros ->; lra). destruct (K_turned p) as (G & Ep); [lra|].
+  assert (turned p = sqrt 2) by nra. split; [lra|]. split; [auto|].
+  split; intros q Hq; destruct (K_turned q ltac:(lra)) as (Gq & ->);
+    [pose proof (turned_falls q p)|pose proof (turned_falls p q)]; nra.
 Qed.
 
 (** it alone is this zero *)
@@ -73,10 +57,12 @@ Qed.
 (** its slope has the sign of -K *)
 Lemma derive_ratio p : 0 < p < PI ->
   is_derive (fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p))) p
-    ((2 * (sin p - p * cos p) ^ 2 - (p - sin p * cos p) ^ 2) / (2 * sin p ^ 2 * (sin p - p * cos p) ^ 2)).
+    (- K p * ((p - sin p * cos p + sqrt 2 * (sin p - p * cos p)) / (2 * sin p ^ 2 * (sin p - p * cos p) ^
+      2))).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp) as G. auto_derive; [nra|].
-  circle p. field_simplify_eq; [simpl; nsatz|lra].
+  pose proof (sqrt_sqrt 2 ltac:(lra)) as Q. unfold K. set (w := sqrt 2) in *. clearbody w. circle p.
+  field_simplify_eq; [simpl; nsatz|lra].
 Qed.
 
 (** h/c falls strictly while K > 0 and rises strictly while K < 0 *)
@@ -84,28 +70,13 @@ Lemma ratio_step p q : 0 < p -> p < q -> q < PI ->
   ((forall t, p < t < q -> 0 < K t) -> ratio q < ratio p) /\ ((forall t, p < t < q -> K t < 0) -> ratio p < ratio q).
 Proof.
   intros H0 Hpq Hq. rewrite !ratio_AB by lra.
-  set (f := fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p))).
-    change (((forall t, p < t < q -> 0 < K t) -> f q < f p) /\ ((forall t, p < t < q -> K t < 0) -> f p < f q)).
-  set (df := fun p => (2 * (sin p - p * cos p) ^ 2 - (p - sin p * cos p) ^ 2) / (2 * sin p ^ 2 * (sin p - p * cos
-    p) ^ 2)).
-  destruct (MVT_cor2 f df p q Hpq) as (t & E & Ht). { intros t Ht. apply is_derive_Reals, derive_ratio; lra. }
-  assert (Den : 0 < / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)).
-  { pose proof (pow_lt _ 2 (sin_gt_0 t ltac:(lra) ltac:(lra))). pose proof (pow_lt _ 2 (g_pos t ltac:(lra))).
-    positive. }
-  assert (Sq : 2 * (sin t - t * cos t) ^ 2 - (t - sin t * cos t) ^ 2 = - K t * (t - sin t * cos t + sqrt 2 * (sin
-    t - t * cos t))).
-  { unfold K. pose proof (sqrt_sqrt 2 ltac:(lra)) as Q.
-    replace (2 * (sin t - t * cos t) ^ 2) with (sqrt 2 * sqrt 2 * (sin t - t * cos t) ^ 2) by (rewrite Q; ring). ring. }
-  assert (Pos : 0 < t - sin t * cos t + sqrt 2 * (sin t - t * cos t)).
-  { pose proof (A_pos t ltac:(lra)). pose proof (g_pos t ltac:(lra)). assert (0 < sqrt 2) by positive. nra. }
-  assert (Ed : df t = - K t * ((t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t
-    * cos t) ^ 2))).
-  { unfold df. nra. }
-  rewrite Ed in E.
-  set (w := (t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)) in *.
-  split; intros S; specialize (S t Ht).
-  - assert (0 < K t * w * (q - p)) by positive. lra.
-  - assert (0 < - K t * w * (q - p)) by positive. lra.
+  edestruct (mean (fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos
+    p)))) as (t & Ht & E); [exact Hpq|intros t Ht; apply derive_ratio; lra|]. cbv beta in E.
+  pose proof (A_pos t ltac:(lra)). pose proof (g_pos t ltac:(lra)).
+  pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)).
+  set (w := _ / _) in E at 3. assert (W : 0 < w) by (unfold w; positive).
+  split; intros S; specialize (S t Ht); [assert (0 < K t * w * (q - p)) by positive|
+    assert (0 < - K t * w * (q - p)) by positive]; lra.
 Qed.
 
 (** so it is least at the zero of K *)
@@ -125,6 +96,16 @@ Proof.
   rewrite sqrt_sqrt by lra. field. lra.
 Qed.
 
+(** the share of body 2 beside the least ratio, as the critical mass ratio beside that of the masses *)
+Lemma ratio_share p m1 m2 : 0 < p < PI -> K p = 0 -> 0 < m1 -> 0 < m2 ->
+  0 < m2 / (m1 + m2) * ratio p ^ 2 /\
+  m2 / (m1 + m2) - ratio p ^ 2 = (- cos (2 * p) - m1 / m2) * (m2 / (m1 + m2) * ratio p ^ 2).
+Proof.
+  intros Hp Z H1 H2. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
+  rewrite (ratio_root p Hp Z), cos_2a_sin.
+  split; [|field; lra]. apply Rmult_lt_0_compat; [positive|apply Rinv_0_lt_compat; nra].
+Qed.
+
 (** [merging-threshold] $h^2>r\,c^2$ at all slip angles below $2\pi$ exactly if $m_1/m_2>-\cos 2\varphi^*$; else not
     at $2\varphi^*$. *)
 Theorem threshold : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q <= PI -> K q = 0 -> q = p) /\
@@ -133,7 +114,6 @@ Theorem threshold : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q <= PI ->
   (forall m1 m2, 0 < m1 -> 0 < m2 -> (m2 / (m1 + m2) < / (2 * sin p ^ 2) <-> - cos (2 * p) < m1 / m2)).
 Proof.
   destruct root as (p & Hp' & Z & Le & Ri).
-  pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp') as G.
   pose proof (ratio_root p Hp' Z) as R2. assert (Rel : forall q, 0 < q < PI -> hh q ^ 2 = ratio q ^ 2 * depth q ^ 2).
   { intros q Hq. pose proof (depth_pos q Hq). unfold ratio. field. lra. }
   exists p. split; [auto|]. split; [auto|]. split.
@@ -144,11 +124,6 @@ Proof.
     assert (0 < ratio p) by (apply Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto).
     assert (ratio p ^ 2 <= ratio q ^ 2) by nra. pose proof (pow_lt _ 2 (depth_pos q Hq)). nra.
   - intros r Hr. rewrite Rel by auto. nra.
-  - intros m1 m2 H1 H2. assert (S2 : 0 < sin p ^ 2) by positive. rewrite cos_2a_sin.
-    assert (E1 : m2 / (m1 + m2) * (2 * sin p ^ 2) * (m1 + m2) = 2 * m2 * sin p ^ 2) by (field; lra).
-    assert (E2 : m1 / m2 * m2 = m1) by (field; lra).
-    assert (E3 : / (2 * sin p ^ 2) * (2 * sin p ^ 2) = 1) by (field; lra).
-    split; intros Q.
-    + apply Rmult_lt_compat_r with (r := 2 * sin p ^ 2) in Q; [|lra]. nra.
-    + apply Rmult_lt_reg_r with (2 * sin p ^ 2); [lra|]. nra.
+  - intros m1 m2 H1 H2. destruct (ratio_share p m1 m2 Hp' Z H1 H2) as (P & E). rewrite R2 in P, E.
+    split; intros; nra.
 Qed.

@@ -4,10 +4,8 @@ From InertialPair Require Import Dini Pair Stick WellPosed FollowArc Cycle ExitO
 
 Section TwoArcs.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let q := m1 / (m1 + m2).
-Let L := L m1 m2 a2 b.
-Let Ecr := Ecr m1 m2 a2 b.
-Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
+Context (q := m1 / (m1 + m2)) (L := L m1 m2 a2 b) (Ecr := Ecr m1 m2 a2 b)
+  (L0 : 0 < L := L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb).
 
 (** the speed on S at the place y at the level e *)
 Definition level_speed e y := sqrt ((2 * e - a2 * y ^ 2) / (m1 + m2)).

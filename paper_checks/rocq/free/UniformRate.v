@@ -5,11 +5,8 @@ From InertialPair Require Import Dini Pair Stick Excursion EnergyLimit Cycle Sha
 
 Section Uniform.
 Context (m1 m2 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
-Let Ecr := Ecr m1 m2 a2 b.
-Let L := L m1 m2 a2 b.
-Let o1 := o1 m1 a2.
-Let be := b / m2.
-Let energy := energy m1 m2 a2.
+Context (Ecr := Ecr m1 m2 a2 b) (L := L m1 m2 a2 b) (o1 := o1 m1 a2) (be := b / m2)
+  (energy := energy m1 m2 a2).
 
 (** A slip that ends at x = b/a2, where body 1 alone would rest, with the speed v: traced back, body 1 swings about
     that place and is never faster than v, while body 2 was faster by beta at each unit of time. *)
@@ -43,11 +40,10 @@ Proof.
   intros HE He. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Ep : 0 < Ecr) by (apply Ecr_pos; auto).
   set (q := m1 / (m1 + m2)). assert (Q : 0 < q) by positive. set (d := Rmin (Rmin e (4 / 9 * q)) (E0 / Ecr - 1)).
   assert (Hd : 0 < d /\ d <= e /\ d <= 4 / 9 * q /\ Ecr * (1 + d) <= E0).
-  { assert (K : 0 < E0 / Ecr - 1). { assert (1 < E0 / Ecr); [|lra]. undivide Ecr. lra. }
-    assert (d <= Rmin e (4 / 9 * q)) by apply Rmin_l. assert (Rmin e (4 / 9 * q) <= e) by apply Rmin_l.
-    assert (Rmin e (4 / 9 * q) <= 4 / 9 * q) by apply Rmin_r. assert (d <= E0 / Ecr - 1) by apply Rmin_r.
-    split; [repeat apply Rmin_glb_lt; lra|]. repeat split; try lra.
-    replace E0 with (Ecr * (1 + (E0 / Ecr - 1))) by (field; lra). scale. }
+  { assert (K : 0 < E0 / Ecr - 1) by (apply Rlt_Rminus; undivide Ecr; lra).
+    min_bounds (Rmin (Rmin e (4 / 9 * q)) (E0 / Ecr - 1)). unfold d. split; [positive|].
+    repeat split; try lra.
+    apply Rle_trans with (Ecr * (1 + (E0 / Ecr - 1))); [scale; lra|right; field; lra]. }
   assert (EL : Ecr = a2 * L ^ 2 / 2) by (apply Ecr_L; auto). assert (HL : 0 < b / a2 <= L).
   { split; [positive|]. undivide (a2 * m2). replace (b / a2 * (a2 * m2)) with (b * m2) by (field; lra). nra. }
   set (v := sqrt ((2 * (Ecr * (1 + d)) - a2 * (b / a2) ^ 2) / (m1 + m2))).
@@ -98,24 +94,24 @@ Qed.
 Theorem settles e l : Ecr < l -> exists T, 0 <= T /\ forall x v1 v2 s, solution m1 m2 0 a2 b x v1 v2 s ->
   energy (x 0) (v1 0) (v2 0) <= e -> energy (x T) (v1 T) (v2 T) <= l.
 Proof.
-  intros Hl. set (d := toll m1 m2 a2 b l). assert (D : 0 < d) by (apply toll_pos; auto).
-  set (W := Rabs (spell m1 m2 a2 b e l)). destruct (nat_above e d D) as (n & Hn). assert (W0 : 0 <= W) by positive.
-  exists (INR n * W). split; [apply Rmult_le_pos; [apply pos_INR|auto]|]. intros x v1 v2 s H HE.
-  set (E := fun t => energy (x t) (v1 t) (v2 t)). change (E 0 <= e) in HE.
-  assert (Mono : forall r t, 0 <= r <= t -> E t <= E r).
-  { intros r t Hr. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H r t Hr). }
-  assert (Pos : forall t, 0 <= E t) by (intros t; apply energy_pos; auto).
+  intros Hl. pose proof (toll_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb l Hl) as D. set (d := toll m1 m2 a2 b l) in *.
+  pose proof (spell_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb e l Hl) as W0. set (W := spell m1 m2 a2 b e l) in *.
+  destruct (nat_above e d D) as (n & Hn). exists (INR n * W).
+  split; [apply Rmult_le_pos; [apply pos_INR|auto]|].
+  intros x v1 v2 s H HE. set (E := fun t => energy (x t) (v1 t) (v2 t)). change (E 0 <= e) in HE.
+  assert (Mono : forall r t, 0 <= r <= t -> E t <= E r)
+    by exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H).
   assert (Step : forall k, E (INR k * W) <= l \/ E (INR k * W) <= e - INR k * d).
-  { induction k as [|k IH]; [right; simpl; rewrite !Rmult_0_l; lra|]. pose proof (pos_INR k) as K0. rewrite S_INR.
+  { induction k as [|k IH]; [right; simpl; rewrite !Rmult_0_l; lra|]. pose proof (pos_INR k). rewrite S_INR.
     assert (0 <= INR k * W) by positive. replace ((INR k + 1) * W) with (INR k * W + W) by ring.
     destruct (Rle_dec l (E (INR k * W + W))) as [Hi|Lo]; [right|left; lra].
-    pose proof (spell_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb e l Hl) as Sp. unfold W in *. rewrite (Rabs_pos_eq _ Sp) in *.
-    pose proof (toll_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H e l (INR k * spell m1 m2 a2 b e l) Hl ltac:(lra)) as Q.
-    assert (Be : E (INR k * spell m1 m2 a2 b e l) <= e) by (pose proof (Mono 0 (INR k * spell m1 m2 a2 b e l)
-      ltac:(lra)); lra). specialize (Q Be Hi).
-    change (E (INR k * spell m1 m2 a2 b e l + spell m1 m2 a2 b e l) <= E (INR k * spell m1 m2 a2 b e l) - d) in Q.
-    lra. }
-  destruct (Step n) as [|N]; auto. specialize (Pos (INR n * W)). lra.
+    pose proof (Mono 0 (INR k * W) ltac:(lra)).
+    pose proof (toll_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H e l (INR k * W) Hl ltac:(lra) ltac:(change (E
+      (INR k * W)
+      <= e); lra) Hi : E (INR k * W + W) <= E (INR k * W) - d) as Q. lra. }
+  pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x (INR n * W)) (v1 (INR n * W)) (v2 (INR n * W)) : 0 <= E (INR
+    n * W)).
+  destruct (Step n); [auto|lra].
 Qed.
 
 (** and by another one it has been on S0 below l *)
@@ -127,12 +123,12 @@ Proof.
   pose proof (least_cost_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb e He) as C. set (c := least_cost m1 m2 a2 b e) in *.
   destruct (nat_above e c C) as (n & Hn).
   assert (O : 0 < o1) by (apply o1_pos; auto). pose proof PI_RGT_0 as P0. pose proof (pos_INR n) as N0.
-  assert (R0 : 0 <= (INR n + 1) * (2 * PI / o1)) by positive.
+  assert (R0 : 0 <= INR n * (2 * PI / o1)) by positive.
   assert (D0 : 0 <= 2 * sqrt (2 * e * m2) / b) by positive.
-  exists (T + 2 * sqrt (2 * e * m2) / b + (INR n + 1) * (2 * PI / o1)). split; [lra|]. intros x v1 v2 s H HE.
+  exists (T + 2 * sqrt (2 * e * m2) / b + INR n * (2 * PI / o1)). split; [lra|]. intros x v1 v2 s H HE.
   set (E := fun t => energy (x t) (v1 t) (v2 t)). change (E 0 <= e) in HE.
-  assert (Mono : forall r t, 0 <= r <= t -> E t <= E r).
-  { intros r t Hr. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H r t Hr). }
+  assert (Mono : forall r t, 0 <= r <= t -> E t <= E r)
+    by exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H).
   pose proof (Set_ x v1 v2 s H HE) as ET. change (E T <= l) in ET.
   destruct (contact m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb x v1 v2 s T H HT) as (tc & Htc & Ev).
   change (Pair.energy m1 m2 a2 (x T) (v1 T) (v2 T)) with (E T) in Htc.
@@ -146,7 +142,7 @@ Proof.
   pose proof (Mono 0 tc ltac:(lra)) as E0.
   destruct (returns_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H e n He k d u tc Hk ltac:(lra) (or_introl Hd) HG) as (t
     & F & Soon).
-  { change (E tc <= e). lra. } { change (E tc <= INR n * c). lra. }
+  { change (E tc <= e). lra. } { change (E tc < INR n * c). lra. }
   destruct (first_reentry_in _ _ _ _ _ _ F) as (Ht & Ev' & In). fold o1 in Soon. exists t. split; [lra|]. split;
     [auto|]. split; [exact In|].
   pose proof (Mono tc t ltac:(lra)). change (E t <= l). lra.
@@ -159,53 +155,36 @@ Theorem uniform_upper e : Ecr < e -> exists c, 0 < c /\ forall x v1 v2 s, soluti
   forall t, 0 < t -> energy (x t) (v1 t) (v2 t) / Ecr - 1 <= c / t.
 Proof.
   intros He. assert (Ep : 0 < Ecr) by (apply Ecr_pos; auto). set (q := m1 / (m1 + m2)).
-  assert (Q : 0 < q < 1). { split; [positive|]. apply Rmult_lt_reg_r with (m1 + m2); [lra|].
-    unfold q. replace (m1 / (m1 + m2) * (m1 + m2)) with m1 by (field; lra). lra. }
-  destruct (enters e (Ecr * (1 + 4 / 9 * q)) ltac:(lra) ltac:(nra)) as (T & HT & In).
+  assert (Q : 0 < q) by positive.
+  destruct (enters e (Ecr * (1 + 2 / 9 * q)) ltac:(lra) ltac:(nra)) as (T & HT & In).
   set (om := omega m1 m2 a2). assert (Om : 0 < om) by (apply omega_pos; auto). pose proof PI_RGT_0 as P0.
-  set (K := 9 / 4 * (m2 / m1)). assert (K0 : 0 < K) by positive. set (F := (5 / 6) ^ 12).
-  assert (F0 : 0 < F) by positive. set (A := om / (PI + 4)). assert (A0 : 0 < A) by positive.
-  set (T1 := 2 * T + 4 / A). assert (A1 : 0 < 4 / A) by positive. assert (Ee : 0 < e / Ecr) by positive.
-  assert (C1 : 0 < 2 / (K * F * A)) by positive. assert (C2 : 0 < e / Ecr * T1) by positive.
-  exists (2 / (K * F * A) + e / Ecr * T1). split; [lra|]. intros x v1 v2 s H HE NM t Ht.
-  set (w := fun t => energy (x t) (v1 t) (v2 t) / Ecr - 1). change (w t <= (2 / (K * F * A) + e / Ecr * T1) / t).
-  assert (Wp : forall t, 0 <= t -> 0 < w t).
-  { intros r Hr. specialize (NM r Hr). unfold w. assert (1 < energy (x r) (v1 r) (v2 r) / Ecr); [|lra].
-    undivide Ecr. lra. }
-  destruct (Rlt_dec t T1) as [Early|Late].
-  - assert (w t <= e / Ecr).
-    { pose proof (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H 0 t ltac:(lra)) as M.
-      change (energy (x t) (v1 t) (v2 t) <= energy (x 0) (v1 0) (v2 0)) in M. unfold w.
-      assert (energy (x t) (v1 t) (v2 t) / Ecr <= e / Ecr); [|lra]. apply Rmult_le_compat_r; [positive|lra]. }
-    apply Rle_trans with (1 := H0). apply Rmult_le_reg_r with t; auto.
-    replace ((2 / (K * F * A) + e / Ecr * T1) / t * t) with (2 / (K * F * A) + e / Ecr * T1) by (field; repeat split;
-      lra).
-    assert (e / Ecr * t <= e / Ecr * T1) by scale. lra.
-  - destruct (In x v1 v2 s H HE) as (t1 & Ht1 & Ev & Hx & El). set (w0 := w t1). assert (W0 : 0 < w0 <= 4 / 9 * q).
-    { split; [apply Wp; lra|]. unfold w0, w. assert (energy (x t1) (v1 t1) (v2 t1) / Ecr <= 1 + 4 / 9 * q); [|lra].
-      undivide Ecr. lra. }
-    assert (TT : t1 <= t) by (unfold T1 in Late; lra).
-    destruct (two_sided m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t1 H ltac:(lra) Ev Hx W0 t TT) as (Lo & _).
-    change (/ w0 + K * (1 - 3 / 8 * w0 / q) ^ 12 * (om * (t - t1) / (PI + 6 * sqrt w0) - 2) <= / w t) in Lo.
-    assert (Sw : sqrt w0 <= 2 / 3).
-    { rewrite <- (sqrt_pow2 (2 / 3)) by lra. apply sqrt_le_1_alt. lra. }
-    pose proof (sqrt_pos w0) as Sw0. assert (Fw : F <= (1 - 3 / 8 * w0 / q) ^ 12).
-    { apply pow_incr. split; [lra|]. assert (w0 / q <= 4 / 9); [|unfold Rdiv in *; lra]. undivide q. lra. }
-    assert (Aw : A * (t - T) <= om * (t - t1) / (PI + 6 * sqrt w0)).
-    { unfold A. replace (om / (PI + 4) * (t - T)) with (om * (t - T) * / (PI + 4)) by (field; lra).
-      apply Rmult_le_compat; [apply Rmult_le_pos; unfold T1 in Late; lra|positive|scale|].
-      apply Rinv_le_contravar; lra. }
-    assert (Half : A * t / 2 <= A * (t - T) - 2).
-    { assert (A * T1 <= A * t) by scale. unfold T1 in H0.
-      replace (A * (2 * T + 4 / A)) with (2 * (A * T) + 4) in H0 by (field; lra). lra. }
-    assert (At : 0 < A * t / 2) by positive. assert (Main : K * F * (A * t / 2) <= / w t).
-    { apply Rle_trans with (2 := Lo). assert (0 < / w0) by positive.
-      assert (K * F * (A * t / 2) <= K * (1 - 3 / 8 * w0 / q) ^ 12 * (om * (t - t1) / (PI + 6 * sqrt w0) - 2)); [|lra].
-      apply Rmult_le_compat; try lra; [positive|]. scale. }
-    apply Rle_trans with (2 / (K * F * A) / t).
-    + rewrite <- (Rinv_inv (w t)).
-      replace (2 / (K * F * A) / t) with (/ (K * F * (A * t / 2))) by (field; repeat split; lra).
-      apply Rinv_le_contravar; auto. positive.
-    + scale.
+  set (K := 9 / 4 * (m2 / m1)). assert (K0 : 0 < K) by positive.
+  set (C := (PI + 3) / (K * (11 / 12) ^ 12 * om)). assert (C0 : 0 < C) by (unfold C; positive).
+  assert (Ee : 0 < e / Ecr) by positive. exists (2 * C + e / Ecr * (2 * T + 1)).
+  split; [assert (0 < e / Ecr * (2 * T + 1)) by positive; lra|].
+  intros x v1 v2 s H HE NM t Ht. set (w := fun t => energy (x t) (v1 t) (v2 t) / Ecr - 1).
+  change (w t <= (2 * C + e / Ecr * (2 * T + 1)) / t).
+  assert (0 <= e / Ecr * (2 * T + 1)) by (apply Rmult_le_pos; lra). undivide t.
+  destruct (Rlt_dec (2 * T + 1) t) as [Late|Early].
+  - destruct (In x v1 v2 s H HE) as (t1 & Ht1 & Ev & Hx & El). set (w0 := w t1).
+    assert (W0 : 0 < w0 <= 2 / 9 * q).
+    { pose proof (NM t1 ltac:(lra)). unfold w0, w. split; [apply Rlt_Rminus; undivide Ecr; lra|].
+      cut (energy (x t1) (v1 t1) (v2 t1) / Ecr <= 1 + 2 / 9 * q); [lra|undivide Ecr; lra]. }
+    destruct (below_over_t m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t1 H ltac:(lra) Ev Hx W0 : 0 < 1 - 3 / 8 * w0 /
+      q /\
+      sqrt w0 <= 1 / 2 /\ _ /\ forall t, t1 < t -> 0 < w t <= (PI + 6 * sqrt w0) / (K * (1 - 3 / 8 * w0 / q) ^
+        12 * om) /
+      (t - t1)) as (Sg & S1 & _ & Be). destruct (Be t ltac:(lra)) as (Wt & Le). apply Rle_div_r in Le; [|lra].
+    apply Rle_trans with (2 * (w t * (t - t1))); [nra|].
+    apply Rle_trans with (2 * C); [apply Rmult_le_compat_l; [lra|]; apply Rle_trans with (1 := Le)|lra].
+    assert (F : (11 / 12) ^ 12 <= (1 - 3 / 8 * w0 / q) ^ 12).
+    { apply pow_incr. split; [lra|]. cut (w0 / q <= 2 / 9); [lra|undivide q; lra]. }
+    pose proof (sqrt_pos w0). apply Rmult_le_compat; [lra|apply Rlt_le; positive|lra|].
+    apply Rinv_le_contravar; [positive|]. apply Rmult_le_compat_r; [lra|scale].
+  - pose proof (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H 0 t ltac:(lra)) as M.
+    change (energy (x t) (v1 t) (v2 t) <= energy (x 0) (v1 0) (v2 0)) in M. assert (W : w t <= e / Ecr).
+    { unfold w. cut (energy (x t) (v1 t) (v2 t) / Ecr <= e / Ecr); [lra|].
+      apply Rmult_le_compat_r; [positive|lra]. }
+    apply Rle_trans with (e / Ecr * t); [scale|]. assert (e / Ecr * t <= e / Ecr * (2 * T + 1)) by scale. lra.
 Qed.
 End Uniform.
