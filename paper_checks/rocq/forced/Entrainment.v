@@ -124,12 +124,12 @@ Proof.
     - intros t Ht. apply (stuck_needs m1 m2 a1 a2 b _ _ _ _ _ t 1 H Rlt_0_1); auto. intros r Hr. apply St. lra.
     - intros r t Hr. eapply Rle_trans; [apply Lv; auto|]. scale. }
   apply gentle_needs. intros r t Hr. apply le_epsilon. intros d Hd.
-  destruct (approach m1 m2 a1 a2 f Hm1 Hm2 Ha Ha2 Hf _ _ _ _ _ _ _ _ _ F H' (response f Hf ltac:(fold K; lra)) HF drive_lip
-    (m1 * (d / 2) ^ 2 / 2)) as (T & HT & Q); [assert (0 < (d / 2) ^ 2) by positive; nra|].
-  assert (Near : forall u, T <= u -> Rabs (v1 u - rV u) <= d / 2).
-  { intros u Hu. specialize (Q u Hu). unfold energy in Q. apply Rabs_le, sq_le_abs; [lra|].
-    pose proof (Rmult_le_pos a2 _ (Rlt_le _ _ Ha2) (pow2_ge_0 (x u - rX u))).
-    pose proof (Rmult_le_pos m2 _ (Rlt_le _ _ Hm2) (pow2_ge_0 (v1 u - rV u))). apply Rmult_le_reg_l with m1; lra. }
+  destruct (energy_close m1 m2 a2 Hm1 Hm2 Ha2 (d / 2) ltac:(lra)) as (e & He & Small).
+  destruct (approach m1 m2 a1 a2 f Hm1 Hm2 Ha Ha2 Hf _ _ _ _ _ _ _ _ _ F H' (response f Hf ltac:(fold K; lra))
+    HF
+    drive_lip e He) as (T & HT & Q).
+  assert (Near : forall u, T <= u -> Rabs (v1 u - rV u) <= d / 2) by
+    (intros u Hu; apply (Small _ _ _ (Q u Hu))).
   assert (P0 := PI_RGT_0). assert (Pp : 0 < 2 * PI / om) by positive.
   destruct (nat_above T (2 * PI / om) Pp) as (n & Hn).
   rewrite <- (rV_period n t), <- (rV_period n r). set (p := INR n * (2 * PI / om)) in *.

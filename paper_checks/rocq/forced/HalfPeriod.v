@@ -66,25 +66,16 @@ Proof.
     destruct (Pe (t - T) ltac:(lra)) as (_ & E1 & E2). replace (2 * T + (t - T)) with (T + t) in E1, E2 by ring.
     rewrite E1, E2. apply Fo. lra. }
   assert (Many : forall n t, 0 <= t -> v1 (INR n * (2 * T) + t) = v1 t /\ v2 (INR n * (2 * T) + t) = v2 t).
-  { induction n as [|n IH]; intros t Ht; [simpl; rewrite Rmult_0_l, Rplus_0_l; auto|]. rewrite S_INR.
-    replace ((INR n + 1) * (2 * T) + t) with (2 * T + (INR n * (2 * T) + t)) by ring.
-    pose proof (Rmult_le_pos _ (2 * T) (pos_INR n) ltac:(lra)).
-    destruct (Pe (INR n * (2 * T) + t) ltac:(lra)) as (_ & -> & ->). auto. }
+  { intros n t Ht. split; apply repeats; auto; try lra; intros; apply Pe; auto. }
   set (U := wave F om phi) in *.
   assert (H' : forced m1 m2 a1 a2 b U (fun t => - x (T + t)) (fun t => - v1 (T + t)) (fun t => - v2 (T + t))
     (fun t => - s (T + t))).
   { apply forced_half_turn; auto; [lra|]. intros t Ht. exact (wave_half F om phi t Hom). }
   exists (mean x (fun t => - x (T + t))), (mean v1 (fun t => - v1 (T + t))), (mean v2 (fun t => - v2 (T + t))),
     (mean s (fun t => - s (T + t))). split; [|split].
-  - apply forced_mean; auto. intros t Ht. destruct (nfloor_ex (t / (2 * T))) as (n & Hn).
-    { positive. }
-    assert (Q : t / (2 * T) * (2 * T) = t) by (field; lra).
-    set (u := t - INR n * (2 * T)). assert (Hu : 0 <= u < 2 * T).
-    { destruct Hn as (Lo & Hi). apply Rmult_le_compat_r with (r := 2 * T) in Lo; [|lra].
-      apply Rmult_lt_compat_r with (r := 2 * T) in Hi; [|lra]. rewrite Q in Lo, Hi. unfold u. lra. }
-    destruct (Many n _ (proj1 Hu)) as (E1 & E2). destruct (Many n (T + u) ltac:(lra)) as (E3 & E4).
-    replace (INR n * (2 * T) + u) with t in E1, E2 by (unfold u; ring).
-    replace (INR n * (2 * T) + (T + u)) with (T + t) in E3, E4 by (unfold u; ring).
+  - apply forced_mean; auto. intros t Ht. destruct (one_turn (2 * T) t ltac:(lra) Ht) as (n & u & -> & Hu).
+    destruct (Many n u (proj1 Hu)) as (E1 & E2), (Many n (T + u) ltac:(lra)) as (E3 & E4).
+    replace (INR n * (2 * T) + (T + u)) with (T + (INR n * (2 * T) + u)) in E3, E4 by ring.
     destruct (Signs _ Hu) as [?|[?|?]]; [left|right; left|right; right]; lra.
   - intros t Ht. fold T in Ht. specialize (Fo t Ht). specialize (Ba (T + t) ltac:(lra)). unfold mean. lra.
   - intros t Ht. destruct (Pe t Ht) as (E1 & E2 & E3). unfold mean. fold T.

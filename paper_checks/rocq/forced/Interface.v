@@ -37,31 +37,30 @@ Proof.
   rewrite <- Rmult_minus_distr_l, <- (Rabs_sign k) by auto. apply Rle_abs.
 Qed.
 
+(** a motion under a force has one strength *)
+Lemma forced_rubs b U x v1 v2 s : 0 < b -> forced m1 m2 a1 a2 b U x v1 v2 s ->
+  rubs (fun _ => b) U x v1 v2 (fun t => b * s t).
+Proof.
+  intros Hb H. pose proof (forced_moving _ _ _ _ _ _ _ _ _ _ H) as Mo. constructor; try apply H.
+  - intros t Ht e He. exists 1. split; [lra|]. intros h Hh. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t (t + h) ltac:(lra)).
+    rewrite <- Rmult_minus_distr_l, Rabs_mult, Rabs_pos_eq by lra. nra.
+  - intros t Ht k Hk G. apply rderiv_eq with (b * k); [ring|].
+    apply rderiv_scal, (q_slip _ _ _ _ _ _ _ _ _ _ _ Mo); auto.
+  - continuous.
+Qed.
 (** [interface-one-strength] A friction of one strength at all times: the motions under a force, and only they. *)
 Theorem rubs_constant b U x v1 v2 F : 0 < b -> rubs (fun _ => b) U x v1 v2 F <-> forced m1 m2 a1 a2 b U x v1 v2 (fun t => F t / b).
 Proof.
-  intros Hb. assert (Fs : forall f : R -> R, (forall t, b * (f t / b) = f t)) by (intros; field; lra).
-  assert (To : forall t l, rderiv F t l -> rderiv (fun t => F t / b) t (l / b)) by (intros; rate; field; lra).
-  assert (Sum : forall t l, rderiv (fun r => m1 * v1 r + b * (F r / b) - U r) t l <-> rderiv (fun r => m1 * v1 r + F r - U r) t l).
-  { split; apply rderiv_ext; intros u _; rewrite Fs; auto. }
-  split.
-  - intros [Ca Sl CU Cx Cv CF X V W]. constructor; auto.
-    + intros r t Hr. apply Rmult_le_reg_l with b; auto. rewrite <- (Rabs_pos_eq b) at 1 by lra. rewrite <- Rabs_mult,
-        Rmult_minus_distr_l, !Fs. apply cap_lip; auto. intros u Hu. apply Ca. lra.
-    + intros t Ht Gt. apply rderiv_eq with (1 * b / b); [field; lra|]. apply To, Sl; auto; lra.
-    + intros t Ht Lt. apply rderiv_eq with (-1 * b / b); [field; lra|]. apply To, Sl; auto; lra.
-    + intros t Ht. apply Sum. auto.
-    + intros t Ht. rewrite !Fs. auto.
-  - intros H. pose proof (moves_cs m1 m2 a1 a2 b 1 U x v1 v2 _ H) as Cs. destruct H as [L P N CU CX CV X V W].
-    assert (Back : forall t l, rderiv (fun t => F t / b) t l -> rderiv F t (l * b)).
-    { intros t l D. apply rderiv_ext with (fun t => b * (F t / b)); [auto|]. rate; ring. }
-    constructor; auto.
-    + exists 1. split; [lra|]. intros h Hh. specialize (L t (t + h) ltac:(lra)).
-      rewrite <- (Fs F (t + h)), <- (Fs F t), <- Rmult_minus_distr_l, Rabs_mult, Rabs_pos_eq by lra. nra.
-    + intros t Ht k Hk G. apply Back. destruct Hk; subst k; [apply P|apply N]; lra.
-    + apply cont_ext with (fun t => b * (F t / b)); [auto|continuous].
-    + intros t Ht. apply Sum. auto.
-    + intros t Ht. rewrite <- (Fs F t), <- (Fs F 0). auto.
+  intros Hb. set (s := fun t => F t / b). replace F with (fun t => b * s t).
+  2: { apply FunctionalExtensionality.functional_extensionality. intros t. unfold s. field. lra. }
+  clearbody s. split; [|apply forced_rubs; auto]. intros [Ca Sl CU Cx Cv CF X V W].
+  assert (S : forall t k, rderiv (fun t => b * s t) t (k * b) -> rderiv s t k).
+  { intros t k D. apply rderiv_ext with (fun t => / b * (b * s t)); [intros; field; lra|]. rate. field. lra. }
+  constructor; auto.
+  - intros r t Hr. apply Rmult_le_reg_l with b; auto. rewrite <- (Rabs_pos_eq b) at 1 by lra.
+    rewrite <- Rabs_mult, Rmult_minus_distr_l. apply (cap_lip (fun t => b * s t)); auto. intros u Hu. apply Ca. lra.
+  - intros. apply S, Sl; auto; lra.
+  - intros. apply S, Sl; auto; lra.
 Qed.
 
 Section One.
@@ -334,12 +333,7 @@ Proof.
 Qed.
 End Lipschitz.
 
-(** a motion under a force has one strength; one that sticks, and needs a share of it only, that share *)
-Lemma forced_rubs b U x v1 v2 s : 0 < b -> forced m1 m2 a1 a2 b U x v1 v2 s -> rubs (fun _ => b) U x v1 v2 (fun t => b * s t).
-Proof.
-  intros Hb H. apply rubs_constant; auto. replace (fun t => b * s t / b) with s; auto.
-  apply FunctionalExtensionality.functional_extensionality. intros t. field. lra.
-Qed.
+(** a motion that sticks, and needs a share of friction only, has that share *)
 Lemma stuck_rubs b rho U y v r : 0 < b -> forced m1 m2 a1 a2 b U y v v r ->
   (forall p q, 0 <= p <= q -> Rabs (r q - r p) <= rho * (q - p)) -> rubs (fun _ => b * rho) U y v v (fun t => b * r t).
 Proof.
@@ -379,8 +373,8 @@ Proof.
   split; [exact Fall|]. split.
   - set (X := sqrt (2 * E 0 / a2)). set (V := sqrt (2 * E 0 / m1)).
     assert (Bd : forall t, 0 <= t -> Rabs (x t) <= X /\ Rabs (v1 t) <= V).
-    { intros t Ht. destruct (energy_parts m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ (Em 0 t ltac:(lra))) as (Qx & Qv & _).
-      split; apply root_bound; auto. }
+    { intros t Ht. destruct (energy_within m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ (Em 0 t ltac:(lra))) as (Qx & Qv & _).
+      auto. }
     set (K := / m1 * (a2 * X + a1 * V + 0 + hi) + / m2 * hi). pose proof (Hb 0 (Rle_refl 0)).
     assert (0 <= X) by apply sqrt_pos. assert (0 <= V) by apply sqrt_pos. assert (0 <= a2 * X + a1 * V) by positive.
     assert (HK : 0 < K) by (unfold K; positive).
@@ -400,7 +394,7 @@ Qed.
 Corollary solution_synchronises b x v1 v2 s : 0 < b -> solution m1 m2 a1 a2 b x v1 v2 s ->
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (v1 t - v2 t) <= e.
 Proof.
-  intros Hb H. apply free_case, (forced_rubs b _ x v1 v2 s Hb) in H. rename H into R.
+  intros Hb H. pose proof (forced_rubs b _ x v1 v2 s Hb (proj2 (free_case _ _ _ _ _ _ _ _ _) H)) as R.
   pose proof (rubs_cv2 _ _ _ _ _ _ R). assert (C : cont (fun t => v1 t - v2 t)) by continuous.
   apply (interface_synchronises _ x v1 v2 _ (integral (fun t => v1 t - v2 t)) b b R Hb); [intros; lra|apply integral_cont, C|].
   intros t Ht. exact (integral_rderiv (fun t => v1 t - v2 t) t C Ht).

@@ -168,10 +168,8 @@ Proof.
     - intros t Ht. split; [rates|].
       apply rderiv_near with (fun u => m1 * v1 u + b * s u - U u - b * (s 0 + u)) (tau - t); [lra| |rate; ring].
       intros u Hu. rewrite (Es u) by lra. ring.
-    - intros t. auto_derive; [eexists; apply Dg|]. rewrite (is_derive_unique (fun x => g x) _ _ (Dg _)).
-      unfold Rminus. ring.
-    - intros t. auto_derive; [eexists; apply Dg'|]. rewrite (is_derive_unique (fun x => g' x) _ _ (Dg' _)).
-      unfold Rminus. field. lra.
+    - intros t. derive. unfold Rminus. ring.
+    - intros t. derive. unfold Rminus. field. lra.
     - intros t Ht. apply Gp. lra. }
   cut (be * tau / g tau <= F - b); [lra|]. undivide (g tau). auto.
 Qed.
