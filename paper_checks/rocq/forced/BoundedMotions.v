@@ -19,34 +19,26 @@ Let g := G + b.
 Lemma W_dini t : 0 <= t -> dini_le W t (- a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t *
   v1 t) + g * (Rabs (v1 t) + c * Rabs (x t))).
 Proof.
-  intros Ht e He. pose proof (f_x _ _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht) as V.
-    unfold rderiv in X, V.
-  match type of X with little ?f => set (ex := f) in * end. match type of V with little ?f => set (ev := f) in * end.
-  set (k := fun h => (U (t + h) - U t) - b * (s (t + h) - s t)). assert (Bk : forall h, 0 < h -> Rabs (k h) <= g * h).
+  intros Ht. set (P := fun u => m1 * v1 u + b * s u - U u). set (k := fun u => U u - b * s u).
+  assert (Lk : forall h, 0 < h -> Rabs (k (t + h) - k t) <= g * h).
   { intros h Hh. pose proof (LU t (t + h) ltac:(lra)) as L1.
-    pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t (t + h) ltac:(lra)) as L2.
-    replace (t + h - t) with h in * by ring. apply Rabs_inv in L1. apply Rabs_inv in L2. unfold k, g.
-      apply Rabs_le. split; nra. }
-  assert (Kb : big k). { exists g, 1. repeat split; try lra; [unfold g; lra|]. intros h Hh. apply Bk; lra. }
-  set (dX := fun h => ex h + v1 t * h). set (dV := fun h => / m1 * (ev h + (- (a2 * x t + a1 * v1 t)) * h + k h)).
-  assert (BX : big dX). { apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  assert (BV : big dV). { apply big_scal, big_plus; auto.
-    apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  set (rest := fun h => a2 * x t * ex h + c * m1 * v1 t * ex h + (v1 t + c * x t) * ev h + a2 / 2 * (dX h * dX h)
-    + m1 / 2 * (dV h * dV h) + c * m1 * (dX h * dV h)).
-  assert (LR : little rest).
-  { unfold rest. repeat apply little_plus; apply little_scal; auto; apply big_mult; auto. }
-  destruct (LR e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
-    apply Rabs_inv in K. specialize (Bk h ltac:(lra)).
-  assert (EX : x (t + h) = x t + dX h) by (unfold dX, ex; ring).
-  assert (EV : v1 (t + h) = v1 t + dV h) by (unfold dV, ev, k; field; lra).
-  assert (ID : W (t + h) - W t = rest h + (- a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t
-    * v1 t)) * h + (v1 t + c * x t) * k h).
-  { unfold W. rewrite EX, EV. unfold rest. unfold dX at 1 2 3 4, dV at 1 2 3 4. unfold dX, dV. field. lra. }
-  rewrite ID. assert (Q : (v1 t + c * x t) * k h <= (Rabs (v1 t) + c * Rabs (x t)) * (g * h)).
-  { eapply Rle_trans; [apply Rle_abs|]. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; auto.
-    eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_pos_eq c) by lra. lra. }
-  lra.
+    pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t (t + h) ltac:(lra)) as L2. apply Rabs_inv in L1, L2.
+    unfold k, g. apply Rabs_le. nra. }
+  assert (Bx : big (fun h => x (t + h) - x t)) by (eapply rderiv_big; rates). set (q := v1 t + c * x t).
+  assert (Bv : big (fun h => v1 (t + h) - v1 t)).
+  { apply big_ext with (fun h => / m1 * ((P (t + h) - P t) + (k (t + h) - k t))).
+    - intros. unfold P, k. field. lra.
+    - apply big_scal, big_plus; [eapply rderiv_big; unfold P; rates|]. exists g, 1.
+      repeat split; [unfold g; lra|lra|intros; apply Lk; lra]. }
+  eassert (DL : rderiv (fun u => (a2 * x t + c * m1 * v1 t) * x u + q * P u) t _) by (unfold P; rates).
+  intros e He. destruct (little_plus _ _ DL (little_plus _ _ (little_scal (a2 / 2) _ (big_mult _ _ Bx Bx))
+    (little_plus _ _ (little_scal (m1 / 2) _ (big_mult _ _ Bv Bv)) (little_scal (c * m1) _ (big_mult _ _ Bx Bv)))) e He)
+    as (d & Hd & K).
+  exists d. split; auto. intros h Hh. specialize (K h Hh). apply Rabs_inv in K.
+  assert (Q : q * (k (t + h) - k t) <= (Rabs (v1 t) + c * Rabs (x t)) * (g * h)).
+  { eapply Rle_trans; [apply Rle_abs|]. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; [|apply Lk; lra].
+    eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_pos_eq c); lra. }
+  unfold W, q, P, k in *. lra.
 Qed.
 
 (** W is between a quarter and three quarters of a2 x^2 + m1 v1^2 *)

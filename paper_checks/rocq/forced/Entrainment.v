@@ -35,10 +35,9 @@ Proof. unfold rX, rV, cA, cB, M. pose proof HZ as Q. unfold Z in *. field. lra. 
 (** the response's amplitude is F over the stiffness *)
 Lemma amplitude : cA ^ 2 + cB ^ 2 = (F / sqrt Z) ^ 2.
 Proof.
-  assert (Sz : sqrt Z ^ 2 = Z) by (rewrite <- Rsqr_pow2; apply Rsqr_sqrt; lra). pose proof (sqrt_lt_R0 Z HZ).
-  replace ((F / sqrt Z) ^ 2) with (F ^ 2 / Z) by (rewrite <- Sz at 1; field; lra).
-  replace (F ^ 2 / Z) with (F ^ 2 * Z / Z ^ 2) by (field; lra). unfold cA, cB.
-  transitivity (F ^ 2 * ((a2 - (m1 + m2) * om ^ 2) ^ 2 + (a1 * om) ^ 2) / Z ^ 2); [field; lra|reflexivity].
+  pose proof (sqrt_lt_R0 Z HZ). replace ((F / sqrt Z) ^ 2) with (F ^ 2 / Z).
+  - unfold cA, cB, Z in *. field. lra.
+  - rewrite <- (sqrt_sqrt Z) at 1 by lra. field. lra.
 Qed.
 
 (** so the place is bounded by it *)
@@ -96,10 +95,9 @@ Proof.
   apply Fstar_load. set (R := F / sqrt Z).
     assert (HR : 0 < R) by positive.
   destruct (polar cB cA R om 0 HR Hom) as (t & (Ht & _) & C & S). { rewrite Rplus_comm. apply amplitude. }
-  assert (X : rX t = R). { unfold rX. rewrite <- C, <- S. pose proof (sin2_cos2 (om * t)) as Q. unfold Rsqr in Q.
-    replace (R * sin (om * t) * sin (om * t) + R * cos (om * t) * cos (om * t)) with (R * (sin (om * t) * sin (om
-      * t) + cos (om * t) * cos (om * t))) by ring.
-    rewrite Q; ring. }
+  assert (X : rX t = R).
+  { unfold rX. rewrite <- C, <- S. pose proof (sin2_cos2 (om * t)) as Q. unfold Rsqr in Q.
+    apply (f_equal (Rmult R)) in Q. lra. }
   pose proof (lip_rderiv rV _ t _ L Ht (rderiv_of_derive _ _ _ (derive_rV t))) as B. rewrite X in B.
   rewrite Rabs_left in B by (assert (0 < om ^ 2 * R) by positive; lra). lra.
 Qed.

@@ -130,7 +130,11 @@ Qed.
 (** *** When they meet *)
 Let D := (a2 * X + b + C e) / a1.
 
-Let body2 r t := only_gentle m1 m2 a1 a2 b Hm2 Hb _ x v1 v2 s r t Fo.
+Lemma body2 r t : 0 <= r <= t -> Rabs (v2 t - v2 r) <= b / m2 * (t - r).
+Proof.
+  intros Hr. rewrite (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H r t) by lra.
+  apply abs_scal; [apply Rlt_le; positive|apply (s_lip _ _ _ _ _ _ _ _ _ H); lra].
+Qed.
 
 (** by then body 2 has been stopped *)
 Lemma meets : exists t1, e <= t1 <= 2 * e + m2 / b * D + m2 * Rabs (v2 0) / b /\ w t1 = 0.

@@ -135,16 +135,12 @@ Proof.
     ring|].
   split; [apply integral_0|]. destruct (E2 tau ltac:(lra)) as (V2T & W2T). replace (2 * tau) with (tau + tau) by ring.
   split; [|split; [rewrite W2T; ring|auto]]. pose proof (tau_sq m2 b D Hm2 Hb HD) as T2. fold tau be in T2.
-  pose proof (same_gain (integral v2) v2 (fun t => be * t ^ 2 / 2) (fun t => be * t) 0 tau ltac:(continuous) ltac:(lra)
-    ltac:(intros; auto_derive; auto; field) ltac:(intros t Ht; split;
-      [apply integral_rderiv; auto; lra|apply E; lra])) as K1.
-  pose proof (same_gain (integral v2) v2 (fun t => - (be * (2 * tau - t) ^ 2 / 2)) (fun t => be * (2 * tau - t)) tau
-    (tau + tau)
-    ltac:(continuous) ltac:(lra) ltac:(intros; auto_derive; auto; unfold Rminus; field) ltac:(intros t Ht; split;
-      [apply integral_rderiv; auto; lra|destruct (E2 (t - tau) ltac:(lra)) as (_ & Q); replace (tau + (t - tau))
-        with t in Q by ring;
-       rewrite Q; ring])) as K2. cbv beta in K1, K2.
-  rewrite integral_0 in K1. rewrite <- T2. nra.
+  assert (Gain : integral v2 tau + integral v2 (tau + tau) - (integral v2 0 + integral v2 (tau + 0)) = be * tau * (tau - 0)).
+  { apply (rderiv_line (fun t => integral v2 t + integral v2 (tau + t))); [continuous|lra|]. intros t Ht.
+    destruct (E t ltac:(lra)) as (_ & _ & Q), (E2 t ltac:(lra)) as (_ & Q').
+    apply rderiv_eq with (v2 t + v2 (tau + t)); [rewrite Q, Q'; ring|].
+    apply rderiv_plus; [|apply rderiv_earlier]; apply integral_rderiv; auto; lra. }
+  rewrite integral_0, Rplus_0_r in Gain. lra.
 Qed.
 
 (** enough: the force pulls in the second half, and body 1 falls behind *)
