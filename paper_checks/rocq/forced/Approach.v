@@ -80,7 +80,8 @@ Qed.
 
 (** a bounded motion under a bounded force has a Lipschitz velocity of body 1, and relative velocity *)
 Definition speed B G := / m1 * ((a2 + a1) * B + G + b) + / m2 * b.
-Lemma lips U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
+Lemma lips U x v1 v2 s G B : forced U x v1 v2 s ->
+  (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
   (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) -> forall r t, 0 <= r <= t ->
   Rabs (v1 t - v1 r) <= speed B G * (t - r) /\ Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= speed B G * (t - r).
 Proof.
@@ -113,7 +114,8 @@ Let HB : 0 <= B.
 Proof. destruct (Bd 0 (Rle_refl 0)) as (Q & _). pose proof (Rabs_pos (x 0)). lra. Qed.
 Let HK : 0 < K.
 Proof.
-  assert (0 <= / m1 * ((a2 + a1) * B + G + b)) by positive. assert (0 < / m2 * b) by positive. unfold K, speed. lra.
+  assert (0 <= / m1 * ((a2 + a1) * B + G + b)) by positive. assert (0 < / m2 * b) by positive.
+  unfold K, speed. lra.
 Qed.
 
 (** the energy distance falls by what the dampers take at least *)
@@ -134,7 +136,8 @@ Proof. apply energy_pos; auto. Qed.
 
 Lemma p_lip r t : 0 <= r <= t -> Rabs (p t - p r) <= 2 * K * (t - r).
 Proof.
-  intros Hr. destruct (lips _ _ _ _ _ G B H LU Bd r t Hr) as (L & _), (lips _ _ _ _ _ G B H' LU' Bd' r t Hr) as (L' & _).
+  intros Hr. destruct (lips _ _ _ _ _ G B H LU Bd r t Hr) as (L & _), (lips _ _ _ _ _ G B H' LU' Bd' r t Hr)
+    as (L' & _).
   apply Rabs_inv in L, L'. apply Rabs_le. unfold p, K. lra.
 Qed.
 
@@ -151,7 +154,7 @@ Proof.
     apply Rle_trans with (4 * B * (2 * K * (t - r))); [apply Rmult_le_compat; auto using Rabs_pos, p_lip|lra].
     destruct (Bd r ltac:(lra)) as (_ & B1 & _), (Bd t ltac:(lra)) as (_ & B2 & _), (Bd' r ltac:(lra)) as
       (_ & B3 & _),
-      (Bd' t ltac:(lra)) as (_ & B4 & _). apply Rabs_inv in B1, B2, B3, B4. unfold p. apply Rabs_le. lra.
+      (Bd' t ltac:(lra)) as (_ & B4 & _). unfold p. by_sizes.
   - intros r t. apply (path_paid D a1 (fun t => p t ^ 2)); auto using D_dini.
   - exists T. split; auto. intros t Ht. apply Rabs_le, sq_le_abs; [lra|apply Q; auto].
 Qed.
@@ -177,7 +180,7 @@ Proof.
   { intros u Hu. unfold y. rate. reflexivity. }
   assert (PB : forall u, 0 <= u -> - CP <= P u <= CP).
   { intros u Hu. destruct (Bd u Hu) as (_ & B1 & B2), (Bd' u Hu) as (_ & B1' & B2'). unfold P, p, q, CP.
-    apply Rabs_inv in B1. apply Rabs_inv in B2. apply Rabs_inv in B1'. apply Rabs_inv in B2'. split; nra. }
+    by_sizes. }
   apply both_signs. intros k Hk. destruct (Rle_dec (k * y t) e) as [|N]; auto. exfalso.
   assert (Yu : forall u, t <= u <= t + L -> e - n * L <= k * y u).
   { intros u Hu. pose proof (lip_between y p n t u Cy ltac:(lra) ltac:(intros r Hr; split;

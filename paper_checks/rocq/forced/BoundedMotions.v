@@ -22,8 +22,7 @@ Proof.
   intros Ht. set (P := fun u => m1 * v1 u + b * s u - U u). set (k := fun u => U u - b * s u).
   assert (Lk : forall h, 0 < h -> Rabs (k (t + h) - k t) <= g * h).
   { intros h Hh. pose proof (LU t (t + h) ltac:(lra)) as L1.
-    pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t (t + h) ltac:(lra)) as L2. apply Rabs_inv in L1, L2.
-    unfold k, g. apply Rabs_le. nra. }
+    pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t (t + h) ltac:(lra)) as L2. unfold k, g. by_sizes. }
   assert (Bx : big (fun h => x (t + h) - x t)) by (eapply rderiv_big; rates). set (q := v1 t + c * x t).
   assert (Bv : big (fun h => v1 (t + h) - v1 t)).
   { apply big_ext with (fun h => / m1 * ((P (t + h) - P t) + (k (t + h) - k t))).
@@ -32,12 +31,14 @@ Proof.
       repeat split; [unfold g; lra|lra|intros; apply Lk; lra]. }
   eassert (DL : rderiv (fun u => (a2 * x t + c * m1 * v1 t) * x u + q * P u) t _) by (unfold P; rates).
   intros e He. destruct (little_plus _ _ DL (little_plus _ _ (little_scal (a2 / 2) _ (big_mult _ _ Bx Bx))
-    (little_plus _ _ (little_scal (m1 / 2) _ (big_mult _ _ Bv Bv)) (little_scal (c * m1) _ (big_mult _ _ Bx Bv)))) e He)
+    (little_plus _ _ (little_scal (m1 / 2) _ (big_mult _ _ Bv Bv))
+      (little_scal (c * m1) _ (big_mult _ _ Bx Bv)))) e He)
     as (d & Hd & K).
   exists d. split; auto. intros h Hh. specialize (K h Hh). apply Rabs_inv in K.
   assert (Q : q * (k (t + h) - k t) <= (Rabs (v1 t) + c * Rabs (x t)) * (g * h)).
-  { eapply Rle_trans; [apply Rle_abs|]. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; [|apply Lk; lra].
-    eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_pos_eq c); lra. }
+  { eapply Rle_trans; [apply Rle_abs|]. rewrite Rabs_mult.
+    apply Rmult_le_compat; try apply Rabs_pos; [|apply Lk; lra]. eapply Rle_trans; [apply Rabs_triang|].
+    rewrite Rabs_mult, (Rabs_pos_eq c); lra. }
   unfold W, q, P, k in *. lra.
 Qed.
 
@@ -122,7 +123,8 @@ Theorem approach U x v1 v2 s x' v1' v2' s' G : forced U x v1 v2 s -> forced U x'
 Proof.
   intros H H' HG LU. destruct (bounded _ _ _ _ _ G H HG LU) as (B & Q).
     destruct (bounded _ _ _ _ _ G H' HG LU) as (B' & Q').
-  apply (approach_dampers m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U x v1 v2 s U x' v1' v2' s' (fun _ => 0) G (Rmax B B') 0);
+  apply (approach_dampers m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U x v1 v2 s U x' v1' v2' s' (fun _ => 0) G
+    (Rmax B B') 0);
     auto; intros t Ht; pose proof (Rmax_l B B'); pose proof (Rmax_r B B').
   - split; [lra|]. apply rderiv_eq with 0; [ring|apply rderiv_same].
   - destruct (Q t Ht) as (? & ? & ?). lra.

@@ -133,8 +133,7 @@ Proof.
   rewrite <- (rV_period n t), <- (rV_period n r). set (p := INR n * (2 * PI / om)) in *.
   pose proof (Near (t + p) ltac:(lra)) as N1. pose proof (Near (r + p) ltac:(lra)) as N2.
     pose proof (Lv (r + p) (t + p) ltac:(lra)) as L.
-  replace (t + p - (r + p)) with (t - r) in L by ring. apply Rabs_inv in N1. apply Rabs_inv in N2.
-    apply Rabs_inv in L. apply Rabs_le. lra.
+  replace (t + p - (r + p)) with (t - r) in L by ring. by_sizes.
 Qed.
 
 (** [stuck-iff] With $a_1>0$ some solution sticks permanently under a sinusoidal force exactly if its amplitude is at

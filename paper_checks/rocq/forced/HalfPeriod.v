@@ -16,8 +16,7 @@ Lemma forced_mean U x v1 v2 s y w1 w2 r : forced m1 m2 a1 a2 b U x v1 v2 s -> fo
 Proof.
   intros [L P N CU CX CV X V W] [L' P' N' _ CX' CV' X' V' W'] Same. unfold mean.
   constructor; auto using cont_plus, cont_scal, rderiv_plus, rderiv_scal.
-  - intros p t Hp. specialize (L p t Hp). specialize (L' p t Hp). apply Rabs_inv in L. apply Rabs_inv in L'.
-    apply Rabs_le. lra.
+  - intros p t Hp. specialize (L p t Hp). specialize (L' p t Hp). by_sizes.
   - intros t Ht Hv. apply rderiv_eq with (/ 2 * 1 + / 2 * 1); [field|]. destruct (Same t Ht) as [?|[?|?]]; try lra.
     apply rderiv_plus; apply rderiv_scal; [apply P|apply P']; tauto.
   - intros t Ht Hv. apply rderiv_eq with (/ 2 * -1 + / 2 * -1); [field|]. destruct (Same t Ht) as [?|[?|?]]; try lra.

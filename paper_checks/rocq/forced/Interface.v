@@ -43,8 +43,10 @@ Proof.
   intros Hb. set (s := fun t => F t / b). replace F with (fun t => b * s t).
   2: { apply FunctionalExtensionality.functional_extensionality. intros t. unfold s. field. lra. }
   clearbody s. split.
-  - intros [Ca Sl CU Cx Cv CF X V W]. assert (S : forall t k, rderiv (fun t => b * s t) t (k * b) -> rderiv s t k).
-    { intros t k D. apply rderiv_ext with (fun t => / b * (b * s t)); [intros; field; lra|]. rate. field. lra. }
+  - intros [Ca Sl CU Cx Cv CF X V W].
+    assert (S : forall t k, rderiv (fun t => b * s t) t (k * b) -> rderiv s t k).
+    { intros t k D. apply rderiv_ext with (fun t => / b * (b * s t)); [intros; field; lra|]. rate. field. lra.
+      }
     constructor; auto.
     + intros r t Hr. apply Rmult_le_reg_l with b; auto. rewrite <- (Rabs_pos_eq b) at 1 by lra.
       rewrite <- Rabs_mult, Rmult_minus_distr_l. apply (cap_lip (fun t => b * s t)); auto. intros u Hu.
@@ -357,14 +359,15 @@ Theorem interface_synchronises b x v1 v2 F z lo hi : rubs b (fun _ => 0) x v1 v2
   exists zl, forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (z t - zl) <= e.
 Proof.
   intros H Hlo Hb Cz Dz. set (w := fun t => v1 t - v2 t). set (E := fun t => energy (x t) (v1 t) (v2 t)).
-  pose proof (rubs_cv2 _ _ _ _ _ _ H) as C2. assert (C1 : cont v1) by continuous. assert (Cx : cont x) by continuous.
-  assert (Fall : forall t, 0 <= t -> dini_le E t (- lo * Rabs (w t))).
+  pose proof (rubs_cv2 _ _ _ _ _ _ H) as C2. assert (C1 : cont v1) by continuous.
+  assert (Cx : cont x) by continuous. assert (Fall : forall t, 0 <= t -> dini_le E t (- lo * Rabs (w t))).
   { intros t Ht. eapply rderiv_dini; [|exact (interface_energy_rate _ _ _ _ _ _ H t 0 Ht (rderiv_const 0 t))].
     fold (w t). pose proof (Rabs_pos (w t)). specialize (Hb t Ht). nra. }
   assert (Paid : forall k r t, k = 1 \/ k = -1 -> 0 <= r <= t -> E t + k * lo * z t <= E r + k * lo * z r).
   { intros k r t Hk Hr. apply (dini_mono (fun u => E u + k * lo * z u)); [|auto|].
     - apply cont_plus; [exact (rubs_cE _ _ _ _ _ _ H)|continuous].
-    - intros u Hu. eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ (Fall u ltac:(lra)) (rderiv_scal (k * lo) _ _ _
+    - intros u Hu. eapply dini_weaken; [|exact
+        (dini_plus _ _ _ _ _ (Fall u ltac:(lra)) (rderiv_scal (k * lo) _ _ _
         (Dz u ltac:(lra))))].
       fold (w u). rewrite <- (Rabs_sign k) by auto. pose proof (Rle_abs (k * w u)). nra. }
   assert (Em : forall r t, 0 <= r <= t -> E t <= E r).
@@ -376,11 +379,13 @@ Proof.
     apply (slip_vanishes m1 m2 a2 lo Hm1 Hm2 Ha2 Hlo x v1 v2 Cx C1 C2) with (K := K); [|unfold K; positive|].
     + intros t Ht. eapply dini_eq; [|exact (Fall t Ht)]. fold (w t). ring.
     + apply (slip_lip b (fun _ => 0) x v1 v2 F (a2 * X + a1 * V) 0 hi H).
-      * intros u Hu. destruct (energy_within m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ (Em 0 u ltac:(lra))) as (Bx & Bv & _).
+      * intros u Hu. destruct (energy_within m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ (Em 0 u ltac:(lra))) as
+          (Bx & Bv & _).
         split; [|apply Hb; auto]. eapply Rle_trans; [apply Rabs_triang|].
         apply Rplus_le_compat; apply abs_scal; auto; lra.
       * intros p q Hp. rewrite Rminus_0_r, Rabs_R0. lra.
-  - destruct (paid_converges E lo (fun t _ => energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _) Em Hlo z) as (zl & _ & Lim);
+  - destruct (paid_converges E lo (fun t _ => energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _) Em Hlo z) as
+      (zl & _ & Lim);
       [|exists zl; exact Lim].
     intros r t Hr. rewrite <- (Rabs_pos_eq lo) by lra. rewrite <- Rabs_mult. apply both_signs. intros k Hk.
     pose proof (Paid k r t Hk Hr). lra.

@@ -135,7 +135,8 @@ Proof.
     ring|].
   split; [apply integral_0|]. destruct (E2 tau ltac:(lra)) as (V2T & W2T). replace (2 * tau) with (tau + tau) by ring.
   split; [|split; [rewrite W2T; ring|auto]]. pose proof (tau_sq m2 b D Hm2 Hb HD) as T2. fold tau be in T2.
-  assert (Gain : integral v2 tau + integral v2 (tau + tau) - (integral v2 0 + integral v2 (tau + 0)) = be * tau * (tau - 0)).
+  assert (Gain : integral v2 tau + integral v2 (tau + tau) - (integral v2 0 + integral v2 (tau + 0)) = be *
+    tau * (tau - 0)).
   { apply (rderiv_line (fun t => integral v2 t + integral v2 (tau + t))); [continuous|lra|]. intros t Ht.
     destruct (E t ltac:(lra)) as (_ & _ & Q), (E2 t ltac:(lra)) as (_ & Q').
     apply rderiv_eq with (v2 t + v2 (tau + t)); [rewrite Q, Q'; ring|].

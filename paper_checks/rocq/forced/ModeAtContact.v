@@ -31,8 +31,7 @@ Proof.
   replace (load q - load t0) with (m2 / M * ((u q - u t0) - a2 * (x q - x t0) - a1 * (v1 q - v1 t0)))
     by (unfold load, M; field; lra).
   replace e with (m2 / M * (k * e')) by (unfold e'; field; unfold k in *; lra).
-  apply abs_scal; [positive|]. apply Rabs_inv in K1. apply Rabs_def2 in K2.
-  apply Rabs_def2 in K3. unfold k. apply Rabs_le. split; nra.
+  apply abs_scal; [positive|]. unfold k. by_sizes.
 Qed.
 Lemma load_after e : 0 < e -> exists d, 0 < d /\ forall q, t0 <= q < t0 + d -> Rabs (load q - load t0) <= e.
 Proof.
@@ -212,7 +211,7 @@ Proof.
     - pose proof (Rabs_pos (lead k t)). nra. }
   replace (excess k t - beyond k t) with (- (a1 * lead k t + a2 * place k t)) by (unfold excess; ring).
   replace ((a1 + a2) / m1 * asked g k T) with (a1 * (asked g k T / m1) + a2 * (asked g k T / m1)) by (field; lra).
-  apply Rabs_inv in L1. apply Rabs_inv in L2. apply Rabs_le. split; nra.
+  by_sizes.
 Qed.
 Lemma beyond_0 k : k * load t0 = b -> beyond k t0 = 0.
 Proof.

@@ -131,7 +131,8 @@ Hypotheses (Dk : forall t, is_derive k t (k' t)) (Dk' : forall t, is_derive k' t
 Lemma turn_0 : om * turn (k' 0) - b * k' 0 = - (b / m2 * (T / 2)).
 Proof. unfold turn, T. field; lra. Qed.
 
-(** after the turn body 1 is driven on: what its acceleration at the turn is beyond that of the next turn, the damper takes *)
+(** after the turn body 1 is driven on: what its acceleration at the turn is beyond that of the next turn,
+    the damper takes *)
 Lemma leaves : 0 < leave (k 0) (k' 0).
 Proof.
   pose proof half_pos. set (y := fun t => 1 - a1 * k' t - a2 * k t).

@@ -75,12 +75,13 @@ Proof. unfold damped_swing'. rewrite !Rmult_0_r, Ropp_0, exp_0, cos_0, sin_0. fi
 
 Lemma swing_T : damped_swing T = - h /\ damped_swing' T = - h'.
 Proof.
-  pose proof od_pos as O. pose proof weight_pos as W. pose proof od_sq as E. pose proof (exp_pos (- (la * T))).
-  pose proof (sin2_cos2 (od * T)) as SC. unfold Rsqr in SC.
+  pose proof od_pos as O. pose proof weight_pos as W. pose proof od_sq as E.
+  pose proof (exp_pos (- (la * T))). pose proof (sin2_cos2 (od * T)) as SC. unfold Rsqr in SC.
   assert (S2 : sin (od * T) ^ 2 = 1 - cos (od * T) ^ 2) by lra.
   unfold damped_swing, damped_swing', Q, P, h, h', turn_place, turn_speed, weight, cosh, sinh in W |- *.
   fold la od T in W |- *.
-  replace (exp (la * T)) with (/ exp (- (la * T))) in W |- * by (rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos).
+  replace (exp (la * T)) with (/ exp (- (la * T))) in W |- * by
+    (rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos).
   set (e := exp (- (la * T))) in *. set (c := cos (od * T)) in *. set (n := sin (od * T)) in *.
   assert (N : 0 < 1 + 2 * e * c + e ^ 2).
   { replace (1 + 2 * e * c + e ^ 2) with (2 * e * ((/ e + e) / 2 + c)) by (field; lra). positive. }
@@ -115,7 +116,8 @@ Proof.
   - fold T. rewrite E, swing_0. auto.
   - fold T. rewrite E', swing'_0. auto.
   - unfold Z1. assert (0 < (a1 * om) ^ 2) by positive. pose proof (pow2_ge_0 (a2 - m1 * om ^ 2)). lra.
-  - apply leaves; auto using derive_swing, derive_swing'; [lra|fold T..]; rewrite ?E, ?E', ?swing_0, ?swing'_0; auto.
+  - apply leaves; auto using derive_swing, derive_swing'; [lra|fold T..]; rewrite ?E, ?E', ?swing_0,
+      ?swing'_0; auto.
   - rewrite swing_0, swing'_0. auto.
 Qed.
 End Damped.

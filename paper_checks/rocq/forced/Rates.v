@@ -10,7 +10,8 @@ Proof. intros B. pose proof (B 1 ltac:(auto)). pose proof (B (-1) ltac:(auto)). 
 
 (** linear arithmetic with bounds of sizes *)
 Ltac by_sizes := repeat match goal with H : Rabs _ <= _ |- _ => apply Rabs_inv in H
-  | H : Rabs _ < _ |- _ => apply Rabs_def2 in H end; first [lra | apply Rabs_le; lra | apply Rabs_def1; lra].
+  | H : Rabs _ < _ |- _ => apply Rabs_def2 in H end; first [lra | apply Rabs_le; lra
+  | apply Rabs_def1; lra | split; nra | apply Rabs_le; split; nra].
 (** what a minimum is not more than *)
 Ltac least c := let m := eval unfold c in c in min_bounds m; pose proof (eq_refl c : c = m).
 

@@ -130,7 +130,8 @@ Qed.
 (** the speed of a free oscillation: bounded by its state at any time, and by it what it is from then on *)
 Lemma speed_below p q t : Rabs (V m1 m2 a2 p q t) <= Rabs q + Om * Rabs p.
 Proof.
-  unfold V. fold Om. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp, !Rabs_mult, (Rabs_pos_eq Om) by lra.
+  unfold V. fold Om. eapply Rle_trans; [apply Rabs_triang|].
+  rewrite Rabs_Ropp, !Rabs_mult, (Rabs_pos_eq Om) by lra.
   assert (0 <= Om * Rabs p) by (pose proof (Rabs_pos p); positive). pose proof (Rabs_pos q).
   assert (Rabs q * Rabs (cos (Om * t)) <= Rabs q * 1) by (scale; apply Rabs_le, COS_bound).
   assert (Om * Rabs p * Rabs (sin (Om * t)) <= Om * Rabs p * 1) by (scale; apply Rabs_le, SIN_bound). lra.
@@ -138,27 +139,33 @@ Qed.
 Lemma speed_later p q r t : V m1 m2 a2 p q (t + r) = V m1 m2 a2 (X m1 m2 a2 p q r) (V m1 m2 a2 p q r) t.
 Proof. unfold V, X. fold Om. rewrite Rmult_plus_distr_l, cos_plus, sin_plus. field. lra. Qed.
 
-(** after some number of the force's periods, as late as one likes, the stuck motion nearly repeats itself: the states of
+(** after some number of the force's periods, as late as one likes, the stuck motion nearly repeats itself:
+    the states of
     the free oscillation then come near to some state again and again *)
 Lemma nearly_repeats x0 v0 e N : 0 < e -> exists n, (N <= n)%nat /\ forall t, 0 <= t ->
   Rabs (yV x0 v0 (t + INR n * (2 * PI / om)) - yV x0 v0 t) <= e.
 Proof.
-  intros He. set (per := 2 * PI / om). set (p n := X m1 m2 a2 x0 v0 (INR n * per)). set (q n := V m1 m2 a2 x0 v0 (INR n * per)).
+  intros He. set (per := 2 * PI / om). set (p n := X m1 m2 a2 x0 v0 (INR n * per)).
+  set (q n := V m1 m2 a2 x0 v0 (INR n * per)).
   assert (B : forall t, Rabs (X m1 m2 a2 x0 v0 t) <= sqrt (2 * energy m1 m2 a2 x0 v0 v0 / a2)).
   { intros t. apply (energy_within m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _
       (Req_le _ _ (ellipse_energy m1 m2 a2 Hm1 Hm2 Ha2 x0 v0 t))). }
   set (C := sqrt (2 * energy m1 m2 a2 x0 v0 v0 / a2) + (Rabs v0 + Om * Rabs x0)).
   destruct (PeriodicMotion.cluster p q (fun _ => 0) C) as (y0 & w0 & z0 & Near).
   { intros n. pose proof (B (INR n * per)). pose proof (speed_below x0 v0 (INR n * per)).
-    pose proof (Rabs_pos (p n)). pose proof (Rabs_pos (q n)). fold (p n) (q n) in *. rewrite Rabs_R0. unfold C. lra. }
+    pose proof (Rabs_pos (p n)). pose proof (Rabs_pos (q n)). fold (p n) (q n) in *. rewrite Rabs_R0.
+    unfold C. lra. }
   set (d := e / (2 * (1 + Om))). assert (Hd : 0 < d) by positive.
   destruct (Near d 0%nat Hd) as (i & _ & I1 & I2 & _), (Near d (i + N)%nat Hd) as (j & Hj & J1 & J2 & _).
   exists (j - i)%nat. split; [lia|]. intros t _. unfold yV, v. rewrite rV_period, minus_INR by (auto; lia).
   replace (_ + _ - _) with (V m1 m2 a2 (p j - p i) (q j - q i) (t - INR i * per)).
   - eapply Rle_trans; [apply speed_below|]. apply Rabs_def2 in I1, I2, J1, J2.
-    assert (Rabs (q j - q i) <= 2 * d) by (apply Rabs_le; lra). assert (Rabs (p j - p i) <= 2 * d) by (apply Rabs_le; lra).
-    assert (Om * Rabs (p j - p i) <= Om * (2 * d)) by scale. assert (2 * d * (1 + Om) = e) by (unfold d; field; lra). lra.
-  - transitivity (V m1 m2 a2 (p j) (q j) (t - INR i * per) - V m1 m2 a2 (p i) (q i) (t - INR i * per)); [unfold V; ring|].
+    assert (Rabs (q j - q i) <= 2 * d) by (apply Rabs_le; lra).
+    assert (Rabs (p j - p i) <= 2 * d) by (apply Rabs_le; lra).
+    assert (Om * Rabs (p j - p i) <= Om * (2 * d)) by scale.
+    assert (2 * d * (1 + Om) = e) by (unfold d; field; lra). lra.
+  - transitivity (V m1 m2 a2 (p j) (q j) (t - INR i * per) - V m1 m2 a2 (p i) (q i) (t - INR i * per));
+      [unfold V; ring|].
     unfold p, q. rewrite <- !speed_later. fold per. replace (t - INR i * per + INR i * per) with t by ring.
     replace (t - INR i * per + INR j * per) with (t + (INR j - INR i) * per) by ring. ring.
 Qed.
@@ -192,8 +199,7 @@ Proof.
     { apply le_INR in Hn. assert (INR N * (2 * PI / om) <= S) by (apply Rmult_le_compat_r; lra). lra. }
     pose proof (Rep p ltac:(lra)) as E1. pose proof (Rep q ltac:(lra)) as E2.
     pose proof (Close (p + S) ltac:(lra)) as C1. pose proof (Close (q + S) ltac:(lra)) as C2.
-    pose proof (only_gentle m1 m2 0 a2 b Hm2 Hb _ _ _ _ _ (p + S) (q + S) H ltac:(lra)) as G. apply Rabs_inv in E1.
-    apply Rabs_inv in E2. apply Rabs_inv in C1. apply Rabs_inv in C2. apply Rabs_inv in G. apply Rabs_le; lra.
+    pose proof (only_gentle m1 m2 0 a2 b Hm2 Hb _ _ _ _ _ (p + S) (q + S) H ltac:(lra)) as G. by_sizes.
 Qed.
 
 (** *** a1 = 0, F < F*: the path of the slip is at most the energy distance from the stuck response over b times the unused share of F*,
