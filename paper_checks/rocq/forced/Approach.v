@@ -13,8 +13,8 @@ Proof.
   { apply cont_of_continuous. intros u. apply (continuous_comp (fun u => t - u) (fun u => w (Rmax 0 u))).
     - apply @ex_derive_continuous. auto_derive. auto.
     - apply cont_iff, C. }
-  destruct (first_zero _ 0 (t - r) Back) as (c & Hc & Z & Neg); rewrite ?Rminus_0_r, ?Rmax_right in * by lra;
-    try lra.
+  destruct (first_zero _ 0 (t - r) Back) as (c & Hc & Z & Neg);
+    rewrite ?Rminus_0_r, ?Rmax_right in * by lra; try lra.
   { replace (t - (t - r)) with r by ring. nra. }
   exists (t - c). split; [lra|]. split; [lra|]. intros u Hu. specialize (Neg (t - u) ltac:(lra)).
   cbv beta in Neg. replace (Rmax 0 (t - (t - u))) with u in Neg by (rewrite Rmax_right; lra). nra.
@@ -136,9 +136,8 @@ Proof. apply energy_pos; auto. Qed.
 
 Lemma p_lip r t : 0 <= r <= t -> Rabs (p t - p r) <= 2 * K * (t - r).
 Proof.
-  intros Hr. destruct (lips _ _ _ _ _ G B H LU Bd r t Hr) as (L & _), (lips _ _ _ _ _ G B H' LU' Bd' r t Hr)
-    as (L' & _).
-  apply Rabs_inv in L, L'. apply Rabs_le. unfold p, K. lra.
+  intros Hr. destruct (lips _ _ _ _ _ G B H LU Bd r t Hr) as (L & _).
+  destruct (lips _ _ _ _ _ G B H' LU' Bd' r t Hr) as (L' & _). unfold p, K. by_sizes.
 Qed.
 
 (** dv1 -> 0, as D pays for its square *)
@@ -152,9 +151,8 @@ Proof.
   - assert (0 <= 8 * K * B) by positive. lra.
   - intros r t Hr. replace (p t ^ 2 - p r ^ 2) with ((p t + p r) * (p t - p r)) by ring. rewrite Rabs_mult.
     apply Rle_trans with (4 * B * (2 * K * (t - r))); [apply Rmult_le_compat; auto using Rabs_pos, p_lip|lra].
-    destruct (Bd r ltac:(lra)) as (_ & B1 & _), (Bd t ltac:(lra)) as (_ & B2 & _), (Bd' r ltac:(lra)) as
-      (_ & B3 & _),
-      (Bd' t ltac:(lra)) as (_ & B4 & _). unfold p. by_sizes.
+    destruct (Bd r ltac:(lra)) as (_ & B1 & _), (Bd t ltac:(lra)) as (_ & B2 & _).
+    destruct (Bd' r ltac:(lra)) as (_ & B3 & _), (Bd' t ltac:(lra)) as (_ & B4 & _). unfold p. by_sizes.
   - intros r t. apply (path_paid D a1 (fun t => p t ^ 2)); auto using D_dini.
   - exists T. split; auto. intros t Ht. apply Rabs_le, sq_le_abs; [lra|apply Q; auto].
 Qed.

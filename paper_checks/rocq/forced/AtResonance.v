@@ -39,24 +39,15 @@ Qed.
 (** and for no smaller c *)
 Lemma edge_least c : (forall t, 0 < t < T -> edge_v2 t < edge_v1 c t) -> b / (m2 * om) <= c.
 Proof.
-  intros H. pose proof PI_RGT_0 as P. pose proof PI2_1 as P2. assert (Hg : 0 < b / (m2 * om)) by positive.
-  set (g := b / (m2 * om)) in *. assert (Kp : 0 < k) by (unfold k, F; positive). destruct (Rle_dec g c) as [L|L]; auto. exfalso.
-  set (c' := Rmax c 0). assert (C : c <= c' /\ 0 <= c' < g).
-  { unfold c'. split; [apply Rmax_l|]. split; [apply Rmax_r|]. apply Rmax_lub_lt; lra. }
-  set (q := k + g * (PI / 4)). assert (Q : 0 < q) by (unfold q; nra).
-  set (y := Rmin 1 ((g - c') / (2 * q))). assert (Hy : 0 < y <= 1).
-  { unfold y. split; [apply Rmin_pos; [lra|]; apply Rdiv_lt_0_compat; lra|apply Rmin_l]. }
-  assert (Yq : q * y < g - c').
-  { assert (y <= (g - c') / (2 * q)) as Y by apply Rmin_r. apply (Rmult_le_compat_l q) in Y; [|lra].
-    replace (q * ((g - c') / (2 * q))) with ((g - c') / 2) in Y by (field; lra). lra. }
-  assert (Ht : 0 < y / om < T). { unfold T. split; [positive|]. apply Rmult_lt_compat_r; [positive|lra]. }
-  specialize (H _ Ht). pose proof (edge_ahead c (y / om)) as E. replace (om * (y / om)) with y in E by (field; lra). fold g in E.
-  assert (S : 0 < sin y < y) by (split; [apply sin_gt_0; lra|apply sin_lt_x; lra]).
-  pose proof (cos_below y ltac:(lra)) as B. assert ((c + k * y) * sin y <= (c' + k * y) * y).
-  { apply Rle_trans with ((c' + k * y) * sin y); [apply Rmult_le_compat_r|apply Rmult_le_compat_l]; nra. }
-  assert (g * (PI / 2 * (1 - cos y)) <= g * (PI / 2 * (y ^ 2 / 2))) by (apply Rmult_le_compat_l; [lra|apply Rmult_le_compat_l; lra]).
-  assert (0 < (c' + k * y) * y + g * (PI / 2 * (y ^ 2 / 2)) - g * y) by lra.
-  assert ((c' + k * y) * y + g * (PI / 2 * (y ^ 2 / 2)) - g * y = y * (q * y - (g - c'))) by (unfold q; field). nra.
+  intros H. pose proof PI_RGT_0 as P. assert (HT : 0 < T) by (unfold T; positive). apply Rnot_lt_le. intros L.
+  set (l := om * (b / (m2 * om) - c)). assert (Hl : 0 < l) by (apply Rmult_lt_0_compat; lra).
+  assert (D : rderiv (fun t => edge_v1 c t - edge_v2 t) 0 (- l)).
+  { apply rderiv_of_derive. unfold edge_v1, edge_v2. auto_derive; auto.
+    rewrite !Rmult_0_r, sin_0, cos_0. unfold l. field. lra. }
+  assert (Z : edge_v1 c 0 - edge_v2 0 = 0) by
+    (unfold edge_v1, edge_v2; rewrite !Rmult_0_r, sin_0, cos_0; ring).
+  destruct (D l Hl) as (d & Hd & K). set (t := Rmin (d / 2) (T / 2)). least t. assert (0 < t) by positive.
+  specialize (K t ltac:(lra)). specialize (H t ltac:(lra)). rewrite Rplus_0_l in K. by_sizes.
 Qed.
 
 (** half a period as an arc of a motion *)
@@ -78,8 +69,8 @@ Proof.
   intros Hc. pose proof PI_RGT_0 as P. assert (OT : om * T = PI) by (unfold T; field; lra).
   apply (nonstop_arc m1 m2 0 a2 b om Hm1 Hm2 (Rle_refl 0) Ha2 Hb Hom F 0 _ _ _ (edge_arc c Hc)).
   1: intros; apply edge_slips; auto.
-  all: fold T; unfold edge_x, edge_v1, edge_v2; rewrite ?OT, ?sin_PI, ?cos_PI, !Rmult_0_r, ?sin_0, ?cos_0,
-      ?Tuned.
+  all: fold T; unfold edge_x, edge_v1, edge_v2.
+  all: rewrite ?OT, ?sin_PI, ?cos_PI, !Rmult_0_r, ?sin_0, ?cos_0, ?Tuned.
   all: unfold k, F, h, T; field; repeat split; lra.
 Qed.
 
@@ -113,9 +104,9 @@ Proof.
   set (D := fun t => energy m1 m2 a2 (x t - y t) (v1 t - w1 t) (v2 t - w2 t)).
   assert (Mono : forall t, 0 <= t -> D t <= D 0)
     by (intros t Ht; apply (forced_contraction m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb _ _ _ _ _ _ _ _ _ 0 t H Hy); lra).
-  exists (B1 + B2 + B3 + reach m1 m2 a2 (D 0)). intros t Ht. specialize (H1 t Ht). specialize (H2 t Ht).
-  specialize (H3 t Ht). pose proof (Rabs_pos (y t)). pose proof (Rabs_pos (w1 t)).
-  pose proof (Rabs_pos (w2 t)).
+  exists (B1 + B2 + B3 + reach m1 m2 a2 (D 0)). intros t Ht.
+  specialize (H1 t Ht). specialize (H2 t Ht). specialize (H3 t Ht).
+  pose proof (Rabs_pos (y t)). pose proof (Rabs_pos (w1 t)). pose proof (Rabs_pos (w2 t)).
   apply (beside m1 m2 a2 _ _ _ (y t) (w1 t) (w2 t) _ (D 0)); auto; [exact (Mono t Ht)|lra].
 Qed.
 End Edge.

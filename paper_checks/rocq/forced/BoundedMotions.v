@@ -106,8 +106,7 @@ Proof.
     - pose proof (Rle_abs (k * v2 0)). rewrite Rabs_sign in * by auto. unfold V. lra.
     - intros t Ht Hv. destruct (Bv t Ht) as (_ & Q). apply Rabs_inv in Q. unfold V in Hv.
       pose proof (q_slip m1 m2 a1 a2 b _ U x v1 v2 s H t Ht (- k)) as S.
-      eapply rderiv_dini; [|apply rderiv_scal, (forced_v2_rate m1 m2 a1 a2 b Hm2 U x v1 v2 s t (- k) H Ht),
-        S];
+      eapply rderiv_dini; [|apply rderiv_scal, (forced_v2_rate _ _ _ _ _ Hm2 U x v1 v2 s t (- k) H Ht), S];
         destruct Hk; subst k; lra. }
   exists V. intros t Ht. destruct (Bv t Ht). repeat split; try (unfold V; lra). apply both_signs.
   intros k Hk. apply Up; auto.
@@ -124,8 +123,7 @@ Proof.
   intros H H' HG LU. destruct (bounded _ _ _ _ _ G H HG LU) as (B & Q).
     destruct (bounded _ _ _ _ _ G H' HG LU) as (B' & Q').
   apply (approach_dampers m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U x v1 v2 s U x' v1' v2' s' (fun _ => 0) G
-    (Rmax B B') 0);
-    auto; intros t Ht; pose proof (Rmax_l B B'); pose proof (Rmax_r B B').
+    (Rmax B B') 0); auto; intros t Ht; pose proof (Rmax_l B B'); pose proof (Rmax_r B B').
   - split; [lra|]. apply rderiv_eq with 0; [ring|apply rderiv_same].
   - destruct (Q t Ht) as (? & ? & ?). lra.
   - destruct (Q' t Ht) as (? & ? & ?). lra.

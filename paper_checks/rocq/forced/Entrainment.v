@@ -124,8 +124,7 @@ Proof.
   apply gentle_needs. intros r t Hr. apply le_epsilon. intros d Hd.
   destruct (energy_close m1 m2 a2 Hm1 Hm2 Ha2 (d / 2) ltac:(lra)) as (e & He & Small).
   destruct (approach m1 m2 a1 a2 f Hm1 Hm2 Ha Ha2 Hf _ _ _ _ _ _ _ _ _ F H' (response f Hf ltac:(fold K; lra))
-    HF
-    drive_lip e He) as (T & HT & Q).
+    HF drive_lip e He) as (T & HT & Q).
   assert (Near : forall u, T <= u -> Rabs (v1 u - rV u) <= d / 2) by
     (intros u Hu; apply (Small _ _ _ (Q u Hu))).
   assert (P0 := PI_RGT_0). assert (Pp : 0 < 2 * PI / om) by positive.

@@ -43,8 +43,8 @@ Proof.
   apply (dini_ext (fun u => a1 * b / m1 * (- k * s u) +
     (k * a2 * x u + k * a1 / m1 * (m1 * v1 u + b * s u - 0)))).
   { intros. unfold p. field. lra. }
-  eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ (dini_scal (a1 * b / m1) _ _ _ ltac:(positive) (S u Hu))
-    R)].
+  pose proof (dini_scal (a1 * b / m1) _ _ _ ltac:(positive) (S u Hu)) as Q.
+  eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ Q R)].
   destruct (BV u ltac:(lra)). assert (a2 * (k * v1 u) <= a2 * V) by (scale; destruct Hk; subst k; lra).
   replace (- (a1 / m1) * (k * p u - (b * c + a2 * V * m1 / a1)))
     with (a1 * b / m1 * c + a2 * V - a1 / m1 * (k * p u)) by (field; lra). unfold p. lra.
@@ -59,11 +59,8 @@ Proof.
   intros A1 He Hk Hc Hr Ht S. pose proof (load_relaxes k c r t Hk ltac:(lra) S) as Q. destruct (BX r Hr) as (X1 & X2).
   destruct (BV r Hr) as (V1 & V2). set (g := a2 * V * m1 / a1) in *. assert (G0 : 0 <= g) by (unfold g; positive).
   assert (D : k * p r - (b * c + g) <= a1 * (a2 * X + V + b)).
-  { assert (k * x r <= X) by (destruct Hk; subst k; lra). assert (k * v1 r <= V) by (destruct Hk; subst k; lra).
-    assert (a2 * (k * x r) <= a2 * X) by scale. assert (a1 * (k * v1 r) <= a1 * V) by scale.
-    assert (b * -1 <= b * c) by scale. assert (1 * (a2 * X + b) <= a1 * (a2 * X + b)).
-    { apply Rmult_le_compat_r; [|auto]. assert (0 <= a2 * X) by positive. lra. }
-    unfold p. lra. }
+  { assert (k * p r <= a2 * X + a1 * V) by (unfold p; destruct Hk; subst k; nra).
+    assert (b * -1 <= b * c) by scale. assert (0 <= (a1 - 1) * (a2 * X + b)) by positive. lra. }
   assert (E : exp (- (a1 / m1 * (t - r))) <= 4 * m1 ^ 2 / (a1 ^ 2 * e ^ 2)).
   { apply Rle_trans with (exp (- (a1 / m1 * e))).
     - assert (a1 / m1 * e <= a1 / m1 * (t - r)) by (apply Rmult_le_compat_l; [positive|lra]).
@@ -95,14 +92,9 @@ Qed.
 Lemma slow t : e <= t -> Rabs (v1 t) <= (a2 * X + b + C e) / a1.
 Proof.
   intros Ht. pose proof (load_bound t Ht) as P. destruct (BX t ltac:(lra)) as (X1 & X2).
-  assert (a2 * - X <= a2 * x t <= a2 * X) by (split; scale). assert (V0 : - V <= V) by (destruct (BV t ltac:(lra)); lra).
-  assert (C0 : C e / a1 <= C e).
-  { assert (0 <= C e).
-    { apply Rplus_le_le_0_compat; [repeat apply Rmult_le_pos; lra|apply Rmult_le_pos; [positive|lra]]. }
-    undivide a1. nra. }
-  apply Rabs_le. unfold p in P. split.
-  - apply Ropp_le_cancel. rewrite Ropp_involutive. undivide a1. lra.
-  - undivide a1. lra.
+  destruct (BV t ltac:(lra)). assert (C0 : C e / a1 <= C e).
+  { assert (0 <= C e) by (unfold C; positive). undivide a1. nra. }
+  apply both_signs. intros k Hk. undivide a1. unfold p in P. destruct Hk; subst k; nra.
 Qed.
 
 (** in a slip that lasts p tends to minus friction *)

@@ -45,12 +45,11 @@ Proof.
   clearbody s. split.
   - intros [Ca Sl CU Cx Cv CF X V W].
     assert (S : forall t k, rderiv (fun t => b * s t) t (k * b) -> rderiv s t k).
-    { intros t k D. apply rderiv_ext with (fun t => / b * (b * s t)); [intros; field; lra|]. rate. field. lra.
-      }
+    { intros t k D. apply rderiv_ext with (fun t => / b * (b * s t)); [intros|rate]; field; lra. }
     constructor; auto.
     + intros r t Hr. apply Rmult_le_reg_l with b; auto. rewrite <- (Rabs_pos_eq b) at 1 by lra.
-      rewrite <- Rabs_mult, Rmult_minus_distr_l. apply (cap_lip (fun t => b * s t)); auto. intros u Hu.
-      apply Ca. lra.
+      rewrite <- Rabs_mult, Rmult_minus_distr_l. apply (cap_lip (fun t => b * s t)); auto.
+      intros; apply Ca; lra.
     + intros. apply S, Sl; auto; lra.
     + intros. apply S, Sl; auto; lra.
   - intros H. pose proof (forced_moving _ _ _ _ _ _ _ _ _ _ H) as Mo. constructor; try apply H.
@@ -366,9 +365,8 @@ Proof.
   assert (Paid : forall k r t, k = 1 \/ k = -1 -> 0 <= r <= t -> E t + k * lo * z t <= E r + k * lo * z r).
   { intros k r t Hk Hr. apply (dini_mono (fun u => E u + k * lo * z u)); [|auto|].
     - apply cont_plus; [exact (rubs_cE _ _ _ _ _ _ H)|continuous].
-    - intros u Hu. eapply dini_weaken; [|exact
-        (dini_plus _ _ _ _ _ (Fall u ltac:(lra)) (rderiv_scal (k * lo) _ _ _
-        (Dz u ltac:(lra))))].
+    - intros u Hu. pose proof (rderiv_scal (k * lo) _ _ _ (Dz u ltac:(lra))) as D.
+      eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ (Fall u ltac:(lra)) D)].
       fold (w u). rewrite <- (Rabs_sign k) by auto. pose proof (Rle_abs (k * w u)). nra. }
   assert (Em : forall r t, 0 <= r <= t -> E t <= E r).
   { intros r t Hr. pose proof (Paid 1 r t ltac:(auto) Hr). pose proof (Paid (-1) r t ltac:(auto) Hr). lra. }
@@ -379,14 +377,12 @@ Proof.
     apply (slip_vanishes m1 m2 a2 lo Hm1 Hm2 Ha2 Hlo x v1 v2 Cx C1 C2) with (K := K); [|unfold K; positive|].
     + intros t Ht. eapply dini_eq; [|exact (Fall t Ht)]. fold (w t). ring.
     + apply (slip_lip b (fun _ => 0) x v1 v2 F (a2 * X + a1 * V) 0 hi H).
-      * intros u Hu. destruct (energy_within m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ (Em 0 u ltac:(lra))) as
-          (Bx & Bv & _).
+      * intros u Hu. pose proof (Em 0 u ltac:(lra)) as Q. apply energy_within in Q as (Bx & Bv & _); auto.
         split; [|apply Hb; auto]. eapply Rle_trans; [apply Rabs_triang|].
         apply Rplus_le_compat; apply abs_scal; auto; lra.
       * intros p q Hp. rewrite Rminus_0_r, Rabs_R0. lra.
-  - destruct (paid_converges E lo (fun t _ => energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _) Em Hlo z) as
-      (zl & _ & Lim);
-      [|exists zl; exact Lim].
+  - destruct (paid_converges E lo (fun t _ => energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _) Em Hlo z)
+      as (zl & _ & Lim); [|exists zl; exact Lim].
     intros r t Hr. rewrite <- (Rabs_pos_eq lo) by lra. rewrite <- Rabs_mult. apply both_signs. intros k Hk.
     pose proof (Paid k r t Hk Hr). lra.
 Qed.

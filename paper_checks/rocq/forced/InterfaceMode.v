@@ -7,10 +7,9 @@ Section InterfaceMode.
 Context (m1 m2 a1 a2 : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
 
 (** a motion from a later time on *)
-Lemma rubs_later b U x v1 v2 F t0 : 0 <= t0 -> rubs m1 m2 a1 a2 b U x v1 v2 F -> rubs m1 m2 a1 a2
-  (fun t => b (t0 + t))
-  (fun t => U (t0 + t)) (fun t => x (t0 + t)) (fun t => v1 (t0 + t)) (fun t => v2 (t0 + t))
-    (fun t => F (t0 + t)).
+Lemma rubs_later b U x v1 v2 F t0 : 0 <= t0 -> rubs m1 m2 a1 a2 b U x v1 v2 F ->
+  rubs m1 m2 a1 a2 (fun t => b (t0 + t)) (fun t => U (t0 + t)) (fun t => x (t0 + t)) (fun t => v1 (t0 + t))
+    (fun t => v2 (t0 + t)) (fun t => F (t0 + t)).
 Proof.
   intros Ht [Ca Sl CU Cx Cv CF X V W]. constructor; auto using cont_shift.
   - intros t Hs e He. destruct (Ca (t0 + t) ltac:(lra) e He) as (d & Hd & K). exists d. split; auto.
@@ -86,8 +85,7 @@ Proof.
   intros Tie. split.
   - intros P n DP EP Z. set (Pt := fun i t => P i (t0 + t)). assert (P0 : forall i, Pt i 0 = P i t0) by (intros i; unfold Pt; rewrite Rplus_0_r; auto).
     assert (DPt : forall i t, is_derive (Pt i) t (Pt (S i) t)).
-    { intros i t. unfold Pt. evar_last; [apply (is_derive_comp (P i) (fun t => t0 + t)); [apply DP|auto_derive; auto]|].
-      unfold scal; simpl; unfold mult; simpl. ring. }
+    { intros i t. pose proof (DP i). unfold Pt. derive. ring. }
     pose proof (tie_rule m1 m2 a1 a2 b0 _ ut y w1 w2 s 0 d Pt n k Hm1 Hm2 Ha1 Ha2 Hb0 Fo (Rle_refl 0) Hd DU Cu' Meet' Hk) as T.
     rewrite L0, P0 in T. destruct T as (T1 & T2); auto.
     + intros t Ht. unfold ut. rewrite Be. apply EP. lra.

@@ -62,12 +62,7 @@ Proof.
 Qed.
 Lemma g_chord t : 0 <= t <= tau -> t * g tau <= tau * g t.
 Proof.
-  intros Ht. destruct (Req_dec t 0) as [->|N0]; [rewrite G0; lra|]. destruct (Req_dec t tau) as [->|N1]; [lra|].
-  destruct (mean_value g g' 0 t ltac:(lra) Dg) as (p & Hp & E).
-  destruct (mean_value g g' t tau ltac:(lra) Dg) as (q & Hq & E').
-  rewrite G0, !Rminus_0_r in E. pose proof (g'_falls p q ltac:(lra) ltac:(lra)) as F.
-  assert (t * (tau - t) * g' q <= t * (tau - t) * g' p) by scale.
-  replace (g tau) with (g t + g' q * (tau - t)) by lra. rewrite E. nra.
+  intros Ht. apply (chord_below g g'); auto. intros. apply g'_falls; auto.
 Qed.
 (** a unit displacement springs back *)
 Lemma c_below t : 0 <= t <= tau -> c t <= 1.
@@ -135,8 +130,8 @@ Proof.
     ring|].
   split; [apply integral_0|]. destruct (E2 tau ltac:(lra)) as (V2T & W2T). replace (2 * tau) with (tau + tau) by ring.
   split; [|split; [rewrite W2T; ring|auto]]. pose proof (tau_sq m2 b D Hm2 Hb HD) as T2. fold tau be in T2.
-  assert (Gain : integral v2 tau + integral v2 (tau + tau) - (integral v2 0 + integral v2 (tau + 0)) = be *
-    tau * (tau - 0)).
+  assert (Gain : integral v2 tau + integral v2 (tau + tau) - (integral v2 0 + integral v2 (tau + 0))
+    = be * tau * (tau - 0)).
   { apply (rderiv_line (fun t => integral v2 t + integral v2 (tau + t))); [continuous|lra|]. intros t Ht.
     destruct (E t ltac:(lra)) as (_ & _ & Q), (E2 t ltac:(lra)) as (_ & Q').
     apply rderiv_eq with (v2 t + v2 (tau + t)); [rewrite Q, Q'; ring|].

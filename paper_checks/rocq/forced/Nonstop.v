@@ -104,23 +104,20 @@ Let T := PI / om.
 Lemma half_pos : 0 < T.
 Proof. pose proof PI_RGT_0. positive. Qed.
 
-(** an arc that slips forwards, and whose state changes its sign over half a period, is the first half of one
-    *)
-Lemma nonstop_arc F phi X V1 V2 : forced_arc m1 m2 a1 a2 b T (fun t => F * sin (om * t + phi)) X V1 V2
-  (fun _ => 1) ->
-  (forall t, 0 < t < T -> V2 t < V1 t) -> X T = - X 0 -> V1 T = - V1 0 -> V2 T = - V2 0 ->
-  exists x v1 v2 s, nonstop F phi x v1 v2 s /\ forall t, 0 <= t <= T -> x t = X t /\ v1 t = V1 t /\ v2 t = V2
-    t.
+(** an arc that slips forwards, and whose state changes its sign over half a period, is the half of one *)
+Lemma nonstop_arc F phi X V1 V2 :
+  forced_arc m1 m2 a1 a2 b T (fun t => F * sin (om * t + phi)) X V1 V2 (fun _ => 1) ->
+  (forall t, 0 < t < T -> V2 t < V1 t) -> X T = - X 0 -> V1 T = - V1 0 -> V2 T = - V2 0 -> exists x v1 v2 s,
+  nonstop F phi x v1 v2 s /\ forall t, 0 <= t <= T -> x t = X t /\ v1 t = V1 t /\ v2 t = V2 t.
 Proof.
   intros Arc Ahead EX E1 E2. pose proof half_pos as HT.
   destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) _ X V1 V2 _ T ltac:(lra)
-    (cont_wave F om phi
-    Hom) (fun t _ => rderiv_wave F om phi t Hom) Arc) as (x & v1 & v2 & s & H & E).
+    (cont_wave F om phi Hom) (fun t _ => rderiv_wave F om phi t Hom) Arc) as (x & v1 & v2 & s & H & E).
   exists x, v1, v2, s. split; [split; [auto|split]|auto].
   - intros t Ht. fold T in Ht. destruct (E t ltac:(lra)) as (_ & -> & ->). auto.
   - destruct (E 0 ltac:(lra)) as (X0 & V10 & V20), (E T ltac:(lra)) as (XT & V1T & V2T).
-    apply (antiperiodic m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) x v1 v2 s T ltac:(lra)); auto; try
-      congruence.
+    apply (antiperiodic m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) x v1 v2 s T); auto; try congruence.
+    { lra. }
     intros t _. apply wave_half; auto.
 Qed.
 
@@ -131,8 +128,7 @@ Hypotheses (Dk : forall t, is_derive k t (k' t)) (Dk' : forall t, is_derive k' t
 Lemma turn_0 : om * turn (k' 0) - b * k' 0 = - (b / m2 * (T / 2)).
 Proof. unfold turn, T. field; lra. Qed.
 
-(** after the turn body 1 is driven on: what its acceleration at the turn is beyond that of the next turn,
-    the damper takes *)
+(** after the turn body 1 is driven on: its velocity swings freely, and the energy of that does not grow *)
 Lemma leaves : 0 < leave (k 0) (k' 0).
 Proof.
   pose proof half_pos. set (y := fun t => 1 - a1 * k' t - a2 * k t).
@@ -189,8 +185,7 @@ Proof.
 Qed.
 
 (** a free response whose state changes sign over half a period is none: damping would take energy; without
-    it, two
-    conserved products with k do so, too *)
+    it two products with k do not change, and say so *)
 Lemma no_free_response z z' : cont z -> cont z' -> (forall t, 0 <= t < T -> rderiv z t (z' t)) ->
   (forall t, 0 <= t < T -> rderiv (fun u => m1 * z' u) t (- (a2 * z t + a1 * z' t))) -> z T = - z 0 -> z' T = - z' 0 ->
   z 0 = 0 /\ z' 0 = 0.

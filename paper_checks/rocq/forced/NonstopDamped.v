@@ -116,8 +116,8 @@ Proof.
   - fold T. rewrite E, swing_0. auto.
   - fold T. rewrite E', swing'_0. auto.
   - unfold Z1. assert (0 < (a1 * om) ^ 2) by positive. pose proof (pow2_ge_0 (a2 - m1 * om ^ 2)). lra.
-  - apply leaves; auto using derive_swing, derive_swing'; [lra|fold T..]; rewrite ?E, ?E', ?swing_0,
-      ?swing'_0; auto.
+  - apply leaves; auto using derive_swing, derive_swing'; [lra|fold T..];
+      rewrite ?E, ?E', ?swing_0, ?swing'_0; auto.
   - rewrite swing_0, swing'_0. auto.
 Qed.
 End Damped.

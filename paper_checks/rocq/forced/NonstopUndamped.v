@@ -1,6 +1,6 @@
 (** U** without damping. The motion that slips for ever has a closed threshold, and above body 1's resonance the
     relative velocity keeps its sign by itself, so that the threshold decides alone. *)
-From InertialPair Require Import Dini Nonstop.
+From InertialPair Require Import Dini Forced Nonstop.
 
 (** an increasing function, by its derivative inside *)
 Lemma grows f f' p q : p < q -> (forall t, p <= t <= q -> is_derive f t (f' t)) -> (forall t, p < t < q ->
@@ -10,19 +10,20 @@ Proof.
   specialize (P c Hc). assert (0 < f' c * (q - p)) by positive. lra.
 Qed.
 
-(** the chord of the sine lies below it *)
+(** the chord from 0 lies below a concave function, such as the sine *)
+Lemma chord_below f f' y z : f 0 = 0 -> (forall t, is_derive f t (f' t)) ->
+  (forall p q, 0 <= p <= q -> q <= z -> f' q <= f' p) -> 0 <= y <= z -> y * f z <= z * f y.
+Proof.
+  intros F0 D Falls Hy. destruct (Req_dec y 0) as [->|N0]; [rewrite F0; lra|].
+  destruct (Req_dec y z) as [->|N1]; [lra|]. destruct (mean_value f f' 0 y ltac:(lra) D) as (p & Hp & E).
+  destruct (mean_value f f' y z ltac:(lra) D) as (q & Hq & E'). rewrite F0, !Rminus_0_r in E.
+  specialize (Falls p q ltac:(lra) ltac:(lra)). assert (y * (z - y) * f' q <= y * (z - y) * f' p) by scale.
+  replace (f z) with (f y + f' q * (z - y)) by lra. rewrite E. nra.
+Qed.
 Lemma chord y z : 0 <= y <= z -> z <= PI -> y * sin z <= z * sin y.
 Proof.
-  intros Hy Hz. destruct (Req_dec y 0) as [->|N0]; [rewrite sin_0; lra|]. destruct (Req_dec y z) as [->|N1]; [lra|].
-  apply Rlt_le, Rmult_lt_reg_r with (/ (y * z)); [apply Rinv_0_lt_compat; nra|].
-  replace (y * sin z * / (y * z)) with (sin z / z) by (field; lra).
-    replace (z * sin y * / (y * z)) with (sin y / y) by (field; lra).
-  apply Ropp_lt_cancel. apply (grows (fun t => - (sin t / t)) (fun t => (sin t - t * cos t) / t ^ 2)); [lra| |].
-  - intros t Ht. auto_derive; [lra|]. field; lra.
-  - intros t Ht. apply Rdiv_lt_0_compat; [|nra]. replace 0 with (sin 0 - 0 * cos 0) by (rewrite sin_0; ring).
-    apply (grows (fun z => sin z - z * cos z) (fun z => z * sin z)); [lra| |].
-    + intros r _. auto_derive; auto. ring.
-    + intros r Hr. apply Rmult_lt_0_compat; [lra|apply sin_gt_0; lra].
+  intros Hy Hz. apply (chord_below sin cos); auto using sin_0; [intros; auto_derive; auto; ring|].
+  intros. apply cos_decr_1; lra.
 Qed.
 
 (** the tangent is convex: tan (r z) < r tan z *)

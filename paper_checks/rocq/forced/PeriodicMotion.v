@@ -48,9 +48,9 @@ Let forced := forced m1 m2 a1 a2 b.
 Let energy := energy m1 m2 a2.
 
 (** a triangle inequality for the energy *)
-Lemma energy_3 x y z x' y' z' x'' y'' z'' p q r : energy (x - p) (y - q) (z - r) <= 3 *
-  (energy (x - x') (y - y') (z - z') + energy (x' - x'') (y' - y'') (z' - z'') + energy (x'' - p) (y'' - q)
-    (z'' - r)).
+Lemma energy_3 x y z x' y' z' x'' y'' z'' p q r : energy (x - p) (y - q) (z - r) <=
+  3 * (energy (x - x') (y - y') (z - z') + energy (x' - x'') (y' - y'') (z' - z'')
+    + energy (x'' - p) (y'' - q) (z'' - r)).
 Proof.
   assert (S : forall m c d e f, 0 < m -> m * (c - f) ^ 2 <= m *
     (3 * ((c - d) ^ 2 + (d - e) ^ 2 + (e - f) ^ 2))).
@@ -66,8 +66,8 @@ Hypotheses (HG : 0 <= G) (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G 
   (PU : forall t, 0 <= t -> U (P + t) - U P = U t - U 0).
 
 (** a motion after a while is a motion, if the force repeats then *)
-Lemma forced_again S x v1 v2 s : 0 <= S -> (forall t, 0 <= t -> U (S + t) - U S = U t - U 0) -> forced U x v1
-  v2 s ->
+Lemma forced_again S x v1 v2 s : 0 <= S -> (forall t, 0 <= t -> U (S + t) - U S = U t - U 0) ->
+  forced U x v1 v2 s ->
   forced U (fun u => x (S + u)) (fun u => v1 (S + u)) (fun u => v2 (S + u)) (fun u => s (S + u)).
 Proof.
   intros HS E H. apply (forced_ext m1 m2 a1 a2 b (fun u => U (S + u))); [|apply forced_shift; auto].

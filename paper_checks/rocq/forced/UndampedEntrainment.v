@@ -140,8 +140,7 @@ Lemma speed_later p q r t : V m1 m2 a2 p q (t + r) = V m1 m2 a2 (X m1 m2 a2 p q 
 Proof. unfold V, X. fold Om. rewrite Rmult_plus_distr_l, cos_plus, sin_plus. field. lra. Qed.
 
 (** after some number of the force's periods, as late as one likes, the stuck motion nearly repeats itself:
-    the states of
-    the free oscillation then come near to some state again and again *)
+    the states of the free oscillation then come near to some state again and again *)
 Lemma nearly_repeats x0 v0 e N : 0 < e -> exists n, (N <= n)%nat /\ forall t, 0 <= t ->
   Rabs (yV x0 v0 (t + INR n * (2 * PI / om)) - yV x0 v0 t) <= e.
 Proof.

@@ -167,10 +167,8 @@ Proof.
   assert (Sin : sin al = (1 + xi) * sin be).
   { pose proof (sin_ge_0 al ltac:(lra) ltac:(lra)) as Sa. pose proof (sin_ge_0 be ltac:(lra) ltac:(lra)) as Sb.
     pose proof (sin2_cos2 al) as Qa. pose proof (sin2_cos2 be) as Qb. unfold Rsqr in Qa, Qb. rewrite Cal in Qa. rewrite Cbe in Qb.
-    assert (Sq : sin al ^ 2 = ((1 + xi) * sin be) ^ 2).
-    { replace (sin al ^ 2) with (1 - c1 * c1) by (rewrite <- Qa; ring).
-      replace (((1 + xi) * sin be) ^ 2) with ((1 + xi) ^ 2 * (1 - c2 * c2)) by (rewrite <- Qb; ring).
-      replace ((1 + xi) ^ 2 * (1 - c2 * c2)) with ((1 + xi) ^ 2 - ((1 + xi) * c2) ^ 2) by ring. rewrite E2. unfold c1. field. }
+    apply (f_equal (Rmult ((1 + xi) ^ 2))) in Qb. pose proof (f_equal (fun z => z ^ 2) E2) as Qc.
+    cbv beta in Qc. assert (sin al ^ 2 = ((1 + xi) * sin be) ^ 2) by (unfold c1 in Qa, Qc; lra).
     assert (0 <= (1 + xi) * sin be) by positive. nra. }
   (* the force: F, then -F, then a2 D *)
   set (U2 := join t2 (fun t => F * t1 - F * t) (fun t => F * t1 - F * t2 + a2 * D * t)).
