@@ -89,9 +89,9 @@ Proof.
   assert (Q : forall u, 0 <= u -> Rabs (a2 * x u + a1 * v1 u) <= (a2 + a1) * B /\ b <= b).
   { intros u Hu. destruct (Bd u Hu) as (B1 & B2 & _). split; [|lra]. eapply Rle_trans; [apply Rabs_triang|].
     pose proof (abs_scal a2 _ _ ltac:(lra) B1). pose proof (abs_scal a1 _ _ Ha B2). lra. }
-  split; [|exact (slip_lip m1 m2 a1 a2 Hm1 Hm2 _ U x v1 v2 _ _ G b R Q LU r t Hr)].
   pose proof (body1_lip m1 m2 a1 a2 Hm1 _ U x v1 v2 _ _ G b R Q LU r t Hr).
-  assert (0 <= / m2 * b * (t - r)) by positive. unfold speed. lra.
+  pose proof (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr) as L. unfold Rdiv in L.
+  assert (0 <= / m2 * b * (t - r)) by positive. unfold speed. split; by_sizes.
 Qed.
 
 (** *** Two bounded motions under one bounded force; their damper may be larger than a1, by [more] of the time *)

@@ -28,7 +28,7 @@ Qed.
 Section Heavy.
 Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 a1 a2 b x v1 v2 s).
-Let Fo : forced m1 m2 a1 a2 b (fun _ => 0) x v1 v2 s := proj2 (free_case m1 m2 a1 a2 b x v1 v2 s) H.
+Let Fo := proj2 (free_case m1 m2 a1 a2 b x v1 v2 s) H.
 Let p t := a2 * x t + a1 * v1 t.
 Let w t := v1 t - v2 t.
 Context (X V : R) (BX : forall t, 0 <= t -> - X <= x t <= X) (BV : forall t, 0 <= t -> - V <= v1 t <= V).
@@ -38,7 +38,7 @@ Lemma load_relaxes k c r t : k = 1 \/ k = -1 -> 0 <= r <= t -> (forall u, r <= u
   k * p t - (b * c + a2 * V * m1 / a1)
   <= exp (- (a1 / m1 * (t - r))) * (k * p r - (b * c + a2 * V * m1 / a1)).
 Proof.
-  intros Hk Hr S. apply (relaxes (fun u => k * p u)); [continuous|auto|positive|]. intros u Hu.
+  intros Hk Hr S. pose proof Fo. apply (relaxes (fun u => k * p u)); [continuous|auto|positive|]. intros u Hu.
   eassert (R : rderiv (fun u => k * a2 * x u + k * a1 / m1 * (m1 * v1 u + b * s u - 0)) u _) by rates.
   apply (dini_ext (fun u => a1 * b / m1 * (- k * s u) +
     (k * a2 * x u + k * a1 / m1 * (m1 * v1 u + b * s u - 0)))).
