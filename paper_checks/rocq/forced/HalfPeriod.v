@@ -97,7 +97,7 @@ Corollary by_halves_needs om (k k' : R -> R) F phi x v1 v2 s : 0 < om -> (forall
   (forall t, is_derive k' t ((1 - a1 * k' t - a2 * k t) / m1)) -> k (PI / om) = - k 0 -> k' (PI / om) = - k' 0 ->
   0 < Z1 m1 a1 a2 om -> 0 < leave m1 m2 a1 a2 b om (k 0) (k' 0) -> 0 <= F -> by_halves om F phi x v1 v2 s ->
   Fslip m1 m2 a1 a2 b om (k 0) (k' 0) <= F.
-Proof.
+Proof using Hm1 Hm2 Ha1 Ha2.
   intros Hom Dk Dk' Ek Ek' HZ Hl HF H. destruct (by_halves_nonstop om F phi x v1 v2 s Hom H) as (x' & v1' & v2' & s' &
     H').
   eapply nonstop_needs; eauto.
