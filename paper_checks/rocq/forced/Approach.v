@@ -3,23 +3,21 @@
     dv2 tends to +-c with c^2 = 2 l / m2. If c > 0, the relative velocity of one pair stays c above the other's; each
     time that it crosses 0 both friction forces are at opposite limits for a while, and this costs a fixed part of
     dv2: so it crosses a last time, and then one body 2 is pulled to one side for ever. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Interface.
+From InertialPair Require Import Dini PaidRates Pair Stick Pursuit Forced Interface.
 
 (** the last time at which a continuous function is not negative *)
 Lemma last_nonneg w r t : cont w -> 0 <= r <= t -> 0 <= w r -> w t < 0 ->
   exists p, r <= p < t /\ 0 <= w p /\ forall u, p < u <= t -> w u < 0.
 Proof.
-  intros C Hr Wr Wt. destruct (completeness (fun u => r <= u <= t /\ 0 <= w u)) as (p & U & L).
-  { exists t. intros u Hu; lra. } { exists r; split; lra. }
-  assert (Hp : r <= p <= t). { split; [apply U; split; lra|]. apply L. intros u Hu; lra. } assert (Wp : 0 <= w p).
-  { destruct (Rle_dec 0 (w p)) as [|N]; auto. exfalso. destruct (C p ltac:(lra) (- w p)) as (d & Hd & K); [lra|].
-    cut (p <= p - d / 2); [lra|]. apply L. intros u (Hu & Wu). destruct (Rle_dec u (p - d / 2)) as [|N']; auto. exfalso.
-    assert (u <= p) by (apply U; auto). specialize (K u ltac:(lra)).
-    assert (Q : Rabs (u - p) < d) by (apply Rabs_def1; lra). specialize (K Q). apply Rabs_def2 in K. lra. }
-  exists p. split; [split; [lra|]|].
-  - destruct (Req_dec p t) as [E|]; [rewrite E in Wp; lra|lra].
-  - split; auto. intros u Hu. destruct (Rlt_dec (w u) 0) as [|N]; auto. exfalso. assert (u <= p); [|lra]. apply U.
-    split; lra.
+  intros C Hr Wr Wt. assert (Back : cont (fun u => w (Rmax 0 (t - u)))).
+  { apply cont_of_continuous. intros u. apply (continuous_comp (fun u => t - u) (fun u => w (Rmax 0 u))).
+    - apply @ex_derive_continuous. auto_derive. auto.
+    - apply cont_iff, C. }
+  destruct (first_zero _ 0 (t - r) Back) as (c & Hc & Z & Neg);
+    rewrite ?Rminus_0_r, ?Rmax_right in * by lra; try lra.
+  { replace (t - (t - r)) with r by ring. nra. }
+  exists (t - c). split; [lra|]. split; [lra|]. intros u Hu. specialize (Neg (t - u) ltac:(lra)).
+  cbv beta in Neg. replace (Rmax 0 (t - (t - u))) with u in Neg by (rewrite Rmax_right; lra). nra.
 Qed.
 
 Section Response.
@@ -41,63 +39,59 @@ Proof.
   pose proof (HB t ltac:(lra)) as B1. apply Rabs_inv in B0. apply Rabs_inv in B1. destruct Hk; subst k; lra.
 Qed.
 
-(** dv2 cannot stay near c > 0 *)
-Lemma no_gap U x v1 v2 s U' x' v1' v2' s' c d K B T : forced U x v1 v2 s -> forced U' x' v1' v2' s' ->
-  0 < c -> 0 < K -> 0 <= T -> (forall t, 0 <= t -> Rabs (v2 t) <= B) -> (forall t, 0 <= t -> Rabs (v2' t) <= B) ->
-  (forall r t, 0 <= r <= t -> Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= K * (t - r)) ->
+(** dv2 cannot stay near c > 0, or near - c *)
+Lemma no_gap j U x v1 v2 s U' x' v1' v2' s' c d K B T : forced U x v1 v2 s -> forced U' x' v1' v2' s' ->
+  j = 1 \/ j = -1 -> 0 < c -> 0 < K -> 0 <= T -> (forall t, 0 <= t -> Rabs (v2 t) <= B) ->
+  (forall t, 0 <= t -> Rabs (v2' t) <= B) ->
+  (forall r t, 0 <= r <= t -> Rabs ((v1' t - v2' t) - (v1' r - v2' r)) <= K * (t - r)) ->
   d <= c / 4 -> d < b / m2 * (c / (8 * K)) ->
-  (forall t, T <= t -> c - d <= v2 t - v2' t <= c + d /\ Rabs (v1 t - v1' t) <= c / 4) -> False.
+  (forall t, T <= t -> c - d <= j * (v2 t - v2' t) <= c + d /\ Rabs (v1 t - v1' t) <= c / 4) -> False.
 Proof.
-  intros H H' Hc HK HT B1 B2 L Hd Hd' G. set (w := fun t => v1 t - v2 t). set (w' := fun t => v1' t - v2' t).
-  assert (Gap : forall t, T <= t -> w t <= w' t - c / 2).
-  { intros t Ht. destruct (G t Ht) as (Q & P). apply Rabs_inv in P. unfold w, w'. lra. }
-  assert (Cw : cont w) by (apply (lip_cont w K); [lra|exact L]).
-  assert (NoCross : forall r t, T <= r <= t -> 0 <= w r -> 0 < w' t).
-  { intros r t Hr Wr. destruct (Rlt_dec 0 (w' t)) as [|N]; auto. exfalso. pose proof (Gap t ltac:(lra)).
-    destruct (last_nonneg w r t Cw ltac:(lra) Wr ltac:(lra)) as (p & Hp & Wp & Neg).
-    set (g := c / (8 * K)). assert (Hg : 0 < g) by positive.
-      assert (Eg : K * g = c / 8) by (unfold g; field; lra).
-    pose proof (L p t ltac:(lra)) as Lpt. fold (w t) (w p) in Lpt. apply Rabs_inv in Lpt.
-    assert (Hpt : p + 2 * g <= t). { destruct (Rle_dec (p + 2 * g) t) as [|N']; auto. exfalso.
-      assert (K * (t - p) <= K * (2 * g)) by scale. lra. }
-    assert (In : forall u, p + g <= u < p + 2 * g -> w u < 0 /\ 0 < w' u).
-    { intros u Hu. split; [apply Neg; lra|]. pose proof (Gap u ltac:(lra)). pose proof (L p u ltac:(lra)) as Q.
-      fold (w u) (w p) in Q. apply Rabs_inv in Q. assert (K * (u - p) <= K * (2 * g)) by scale. lra. }
-    pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H (p + g) (p + 2 * g) (-1) ltac:(lra) ltac:(auto) ltac:(intros u Hu;
-      destruct (In u Hu); unfold w in *; lra)) as S.
-    pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H' (p + g) (p + 2 * g) 1 ltac:(lra) ltac:(auto) ltac:(intros u Hu;
-      destruct (In u Hu); unfold w' in *; lra)) as S'.
-    pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H (p + g) (p + 2 * g) ltac:(lra) ltac:(lra)) as V.
-    pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H' (p + g) (p + 2 * g) ltac:(lra) ltac:(lra)) as V'.
-    rewrite S in V. rewrite S' in V'. destruct (G (p + g) ltac:(lra)) as (Q1 & _).
-      destruct (G (p + 2 * g) ltac:(lra)) as (Q2 & _).
-    fold g in Hd'. replace (p + 2 * g - (p + g)) with g in V, V' by ring. lra. }
+  intros H H' Hj Hc HK HT B1 B2 L Hd Hd' G. set (w := fun t => j * (v1 t - v2 t)).
+  set (w' := fun t => j * (v1' t - v2' t)). assert (Gap : forall t, T <= t -> w t <= w' t - c / 2).
+  { intros t Ht. destruct (G t Ht) as (Q & P). apply Rabs_inv in P. unfold w, w'. destruct Hj; subst j; lra. }
+  assert (Cw : cont w') by continuous. assert (NoCross : forall r t, T <= r <= t -> 0 <= w r -> 0 < w' t).
+  { intros r t Hr Wr. apply Rnot_le_lt. intros N. pose proof (Gap r ltac:(lra)).
+    destruct (first_zero w' r t Cw) as (p & Hp & Z & Pos); [lra|nra|lra|]. set (g := c / (8 * K)) in *.
+    assert (Hg : 0 < g) by positive. assert (Eg : K * g = c / 8) by (unfold g; field; lra).
+    assert (Near : forall u, r <= u <= p -> w' u <= K * (p - u)).
+    { intros u Hu. pose proof (L u p ltac:(lra)) as Q. apply Rabs_inv in Q. unfold w' in *.
+      destruct Hj; subst j; lra. }
+    assert (Hr' : r < p - g).
+    { apply Rnot_le_lt. intros N'. pose proof (Near r ltac:(lra)). assert (K * (p - r) <= K * g) by scale.
+      lra. }
+    assert (In : forall u, p - g <= u < p -> w u < 0 /\ 0 < w' u).
+    { intros u Hu. specialize (Pos u ltac:(lra)). pose proof (Near u ltac:(lra)).
+      pose proof (Gap u ltac:(lra)). assert (K * (p - u) <= K * g) by scale. split; [lra|nra]. }
+    assert (Hj' : - j = 1 \/ - j = -1) by lra. unfold w, w' in In.
+    pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H (p - g) p (- j) ltac:(lra) Hj' ltac:(intros u Hu;
+      destruct (In u Hu); lra)) as S.
+    pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H' (p - g) p j ltac:(lra) Hj ltac:(intros u Hu;
+      destruct (In u Hu); lra)) as S'.
+    pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H (p - g) p ltac:(lra) ltac:(lra)) as V.
+    pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H' (p - g) p ltac:(lra) ltac:(lra)) as V'.
+    rewrite S in V. rewrite S' in V'.
+    destruct (G (p - g) ltac:(lra)) as (Q1 & _), (G p ltac:(lra)) as (Q2 & _). destruct Hj; subst j; lra. }
   destruct (Classical_Prop.classic (exists r, T <= r /\ 0 <= w r)) as [(r & Hr & Wr)|No].
-  - apply (no_pull _ _ _ _ _ r B 1 H' ltac:(lra) B2 ltac:(auto)). intros t Ht. rewrite Rmult_1_l.
-    apply (NoCross r t); auto.
-  - apply (no_pull _ _ _ _ _ T B (-1) H HT B1 ltac:(auto)). intros t Ht.
-    destruct (Rlt_dec (w t) 0) as [|N]; [unfold w in *; lra|]. exfalso. apply No. exists t; split; lra.
+  - apply (no_pull _ _ _ _ _ r B j H' ltac:(lra) B2 Hj). intros t Ht. apply (NoCross r t); auto.
+  - apply (no_pull _ _ _ _ _ T B (- j) H HT B1 ltac:(lra)). intros t Ht. apply Rnot_le_lt. intros N. apply No.
+    exists t. unfold w. split; lra.
 Qed.
 
-(** a bounded motion under a bounded force has a Lipschitz relative velocity *)
-Definition speed B G := / m1 * ((a2 + a1) * B + b + G) + b / m2.
-(** as has body 1, of a constant that is less by what friction gives body 2 *)
-Lemma v1_lip U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
-  (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
-  forall r t, 0 <= r <= t -> Rabs (v1 t - v1 r) <= (speed B G - b / m2) * (t - r).
+(** a bounded motion under a bounded force has a Lipschitz velocity of body 1, and relative velocity *)
+Definition speed B G := / m1 * ((a2 + a1) * B + G + b) + / m2 * b.
+Lemma lips U x v1 v2 s G B : forced U x v1 v2 s ->
+  (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
+  (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) -> forall r t, 0 <= r <= t ->
+  Rabs (v1 t - v1 r) <= speed B G * (t - r) /\ Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= speed B G * (t - r).
 Proof.
-  intros H LU Bd r t Hr. replace (speed B G - b / m2) with (/ m1 * ((a2 + a1) * B + G + b)) by (unfold speed; ring).
-  apply (body1_lip m1 m2 a1 a2 Hm1 (fun _ => b) U x v1 v2 _ _ G b (forced_rubs _ _ _ _ b _ _ _ _ _ Hb H)); auto.
-  intros u Hu. destruct (Bd u Hu) as (B1 & B2 & _). split; [|lra]. eapply Rle_trans; [apply Rabs_triang|].
-  pose proof (abs_scal a2 _ _ ltac:(lra) B1). pose proof (abs_scal a1 _ _ Ha B2). lra.
-Qed.
-(** the relative velocity of a bounded motion is Lipschitz *)
-Lemma w_lip U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
-  (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
-  forall r t, 0 <= r <= t -> Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= speed B G * (t - r).
-Proof.
-  intros H LU Bd r t Hr. pose proof (v1_lip U x v1 v2 s G B H LU Bd r t Hr) as L1. apply Rabs_inv in L1.
-  pose proof (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr) as L2. apply Rabs_inv in L2. apply Rabs_le. lra.
+  intros H LU Bd r t Hr. pose proof (forced_rubs _ _ _ _ b _ _ _ _ _ Hb H) as R.
+  assert (Q : forall u, 0 <= u -> Rabs (a2 * x u + a1 * v1 u) <= (a2 + a1) * B /\ b <= b).
+  { intros u Hu. destruct (Bd u Hu) as (B1 & B2 & _). split; [|lra]. eapply Rle_trans; [apply Rabs_triang|].
+    pose proof (abs_scal a2 _ _ ltac:(lra) B1). pose proof (abs_scal a1 _ _ Ha B2). lra. }
+  pose proof (body1_lip m1 m2 a1 a2 Hm1 _ U x v1 v2 _ _ G b R Q LU r t Hr).
+  pose proof (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr) as L. unfold Rdiv in L.
+  assert (0 <= / m2 * b * (t - r)) by positive. unfold speed. split; by_sizes.
 Qed.
 
 (** *** Two bounded motions under one bounded force; their damper may be larger than a1, by [more] of the time *)
@@ -120,8 +114,8 @@ Let HB : 0 <= B.
 Proof. destruct (Bd 0 (Rle_refl 0)) as (Q & _). pose proof (Rabs_pos (x 0)). lra. Qed.
 Let HK : 0 < K.
 Proof.
-  assert (0 < b / m2) by positive. assert (0 < / m1) by positive.
-  assert (0 <= / m1 * ((a2 + a1) * B + b + G)); [|unfold K, speed; lra]. apply Rmult_le_pos; [lra|]. nra.
+  assert (0 <= / m1 * ((a2 + a1) * B + G + b)) by positive. assert (0 < / m2 * b) by positive.
+  unfold K, speed. lra.
 Qed.
 
 (** the energy distance falls by what the dampers take at least *)
@@ -142,35 +136,25 @@ Proof. apply energy_pos; auto. Qed.
 
 Lemma p_lip r t : 0 <= r <= t -> Rabs (p t - p r) <= 2 * K * (t - r).
 Proof.
-  intros Hr. pose proof (v1_lip _ _ _ _ _ G B H LU Bd r t Hr) as L. pose proof (v1_lip _ _ _ _ _ G B H' LU' Bd' r t Hr) as L'.
-  assert (0 <= b / m2 * (t - r)) by positive.
-  apply Rabs_inv in L. apply Rabs_inv in L'. apply Rabs_le. unfold p, K. lra.
+  intros Hr. destruct (lips _ _ _ _ _ G B H LU Bd r t Hr) as (L & _).
+  destruct (lips _ _ _ _ _ G B H' LU' Bd' r t Hr) as (L' & _). unfold p, K. by_sizes.
 Qed.
 
-(** D pays for dv1^2 *)
-Lemma D_pays r t g : 0 <= r <= t -> 0 <= g -> (forall u, r <= u < t -> g <= p u ^ 2) ->
-  D t - D r <= - (a1 * g) * (t - r).
-Proof.
-  intros Hr Hg Gp. apply dini_slope; auto. intros u Hu e He. destruct (D_dini u ltac:(lra) e He) as (d & Hd & Q).
-  exists d; split; auto. intros h Hh. specialize (Q h Hh). specialize (Gp u Hu).
-  assert (a1 * g * h <= a1 * p u ^ 2 * h) by (apply Rmult_le_compat_r; [lra|scale]). lra.
-Qed.
-
-(** dv1 -> 0 *)
+(** dv1 -> 0, as D pays for its square *)
 Lemma p_to_0 e : 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (p t) <= e.
 Proof.
-  intros He. destruct (dec_limit D D_mono (fun t _ => D_pos t)) as (l & _ & Low & Lim).
-  set (g := e / (2 * (2 * K))). assert (Hg : 0 < g) by positive.
-  set (cost := a1 * (e / 2) ^ 2 * g). assert (Hcost : 0 < cost) by (unfold cost; apply Rmult_lt_0_compat;
-    [apply Rmult_lt_0_compat; nra|auto]).
-  destruct (Lim (cost / 2)) as (T & HT & Up); [lra|]. exists T; split; auto. intros t Ht.
-  destruct (Rle_dec (Rabs (p t)) e) as [|N]; auto. exfalso.
-  assert (Q : D (t + g) - D t <= - (a1 * (e / 2) ^ 2) * (t + g - t)).
-  { apply D_pays; [lra|positive|]. intros u Hu. pose proof (p_lip t u ltac:(lra)) as Lu.
-    assert (2 * K * (u - t) <= 2 * K * g) by scale. assert (2 * K * g = e / 2) by (unfold g; field; lra).
-    apply Rabs_inv in Lu. unfold Rabs in N. destruct (Rcase_abs (p t)); nra. }
-  pose proof (Low (t + g) ltac:(lra)). specialize (Up t Ht). replace (t + g - t) with g in Q by ring.
-    unfold cost in *. lra.
+  intros He. assert (Cp : cont (fun t => p t ^ 2)) by continuous.
+  destruct (paid_vanishes D a1 (fun t _ => D_pos t) D_mono Ha1 (fun t => p t ^ 2)
+    (integral (fun t => p t ^ 2))
+    (8 * K * B + 1)) with (e := e ^ 2) as (T & HT & Q); [apply integral_cont, Cp| | | | |positive|].
+  - intros t Ht. split; [positive|apply (integral_rderiv _ t Cp Ht)].
+  - assert (0 <= 8 * K * B) by positive. lra.
+  - intros r t Hr. replace (p t ^ 2 - p r ^ 2) with ((p t + p r) * (p t - p r)) by ring. rewrite Rabs_mult.
+    apply Rle_trans with (4 * B * (2 * K * (t - r))); [apply Rmult_le_compat; auto using Rabs_pos, p_lip|lra].
+    destruct (Bd r ltac:(lra)) as (_ & B1 & _), (Bd t ltac:(lra)) as (_ & B2 & _).
+    destruct (Bd' r ltac:(lra)) as (_ & B3 & _), (Bd' t ltac:(lra)) as (_ & B4 & _). unfold p. by_sizes.
+  - intros r t. apply (path_paid D a1 (fun t => p t ^ 2)); auto using D_dini.
+  - exists T. split; auto. intros t Ht. apply Rabs_le, sq_le_abs; [lra|apply Q; auto].
 Qed.
 
 (** dx -> 0: else the momentum m1 dv1 + m2 dv2 would leave every bound *)
@@ -185,23 +169,21 @@ Proof.
   destruct (p_to_0 n Hn) as (T & HT & Small). exists T; split; auto. intros t Ht.
   assert (Cy : cont y) by continuous. assert (CPc : cont P) by continuous.
   assert (RP : forall u, 0 <= u -> rderiv P u (- (a2 * y u + (a1 + more u) * p u))).
-  { intros u Hu. apply rderiv_ext with (fun r => ((m1 * v1 r + b * s r - U r) - (m1 * v1' r + b * s' r - U' r) + (U r - U' r)) +
-    ((m2 * v2 0 - b * s 0) - (m2 * v2' 0 - b * s' 0))).
-    { intros r Hr. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H r ltac:(lra)).
-      pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H' r ltac:(lra)). unfold P, p, q. lra. }
+  { intros u Hu. apply rderiv_ext with
+      (fun r => (m1 * v1 r + m2 * v2 r - U r) - (m1 * v1' r + m2 * v2' r - U' r) + (U r - U' r)).
+    { intros; unfold P, p, q. ring. }
+    pose proof (momentum _ _ _ _ _ _ _ _ _ _ u H Hu). pose proof (momentum _ _ _ _ _ _ _ _ _ _ u H' Hu).
     destruct (More u Hu) as (_ & Du). rate. unfold y, p. ring. }
   assert (Ry : forall u, 0 <= u -> rderiv y u (p u)).
   { intros u Hu. unfold y. rate. reflexivity. }
   assert (PB : forall u, 0 <= u -> - CP <= P u <= CP).
   { intros u Hu. destruct (Bd u Hu) as (_ & B1 & B2), (Bd' u Hu) as (_ & B1' & B2'). unfold P, p, q, CP.
-    apply Rabs_inv in B1. apply Rabs_inv in B2. apply Rabs_inv in B1'. apply Rabs_inv in B2'. split; nra. }
+    by_sizes. }
   apply both_signs. intros k Hk. destruct (Rle_dec (k * y t) e) as [|N]; auto. exfalso.
   assert (Yu : forall u, t <= u <= t + L -> e - n * L <= k * y u).
-  { intros u Hu. assert (Q : - k * y u - - k * y t <= n * (u - t)).
-    { apply (dini_slope (fun r => - k * y r)); [apply cont_scal; auto|lra|]. intros r Hr.
-      eapply rderiv_dini; [|apply rderiv_scal, Ry; lra].
-      pose proof (Small r ltac:(lra)) as S. apply Rabs_inv in S. destruct Hk; subst k; lra. }
-    assert (n * (u - t) <= n * L) by scale. lra. }
+  { intros u Hu. pose proof (lip_between y p n t u Cy ltac:(lra) ltac:(intros r Hr; split;
+      [apply Ry; lra|apply Rabs_inv, Small; lra])) as S.
+    assert (n * (u - t) <= n * L) by scale. apply Rabs_inv in S. destruct Hk; subst k; lra. }
   assert (Q : k * P (t + L) - k * P t <= - (a2 * e / 2) * (t + L - t)).
   { apply (dini_slope (fun r => k * P r)); [apply cont_scal; auto|lra|]. intros r Hr.
     eapply rderiv_dini; [|apply rderiv_scal, RP; lra].
@@ -249,40 +231,21 @@ Proof.
     c - d <= z <= c + d) by (intros z Hz Hzz; split; [destruct (Rle_dec (c - d) z); auto; exfalso;
     assert (z * z < (c - d) * (c - d)) by nra; nra|destruct (Rle_dec z (c + d)); auto; exfalso;
     assert ((c + d) * (c + d) < z * z) by nra; nra]).
-  assert (NZ : forall t, T <= t -> v2 t - v2' t <> 0). { intros t Ht E. specialize (Q t Ht). rewrite E in Q. lra. }
-  assert (Cq : cont (fun t => v2 t - v2' t)).
-  { continuous. }
-  assert (Sign : forall t, T <= t -> 0 < (v2 T - v2' T) * (v2 t - v2' t)).
-  { intros t Ht. destruct (Rlt_dec 0 ((v2 T - v2' T) * (v2 t - v2' t))) as [|N]; auto. exfalso.
-    destruct (cont_IVT _ T t Cq) as (u & Hu & Zu); [lra|lra|]. apply (NZ u); [lra|auto]. }
-  assert (P'' : forall t, T <= t -> Rabs (v1 t - v1' t) <= c / 4) by (intros t Ht; apply P'; unfold T in Ht; lra).
-  destruct (Rlt_dec 0 (v2 T - v2' T)) as [Pos|Neg].
-  - apply (no_gap _ _ _ _ _ _ _ _ _ _ c d K B T H H'); auto; try lra.
-    + intros; apply Bd; auto.
-    + intros; apply Bd'; auto.
-    + exact (w_lip _ _ _ _ _ G B H LU Bd).
-    + intros t Ht. split; [|auto]. apply Near; auto. specialize (Sign t Ht). nra.
-  - apply (no_gap _ _ _ _ _ _ _ _ _ _ c d K B T H' H); auto; try lra.
-    + intros; apply Bd'; auto.
-    + intros; apply Bd; auto.
-    + exact (w_lip _ _ _ _ _ G B H' LU' Bd').
-    + intros t Ht. split; [|rewrite Rabs_minus_sym; auto].
-      apply Near; [pose proof (NZ T ltac:(lra)); specialize (Sign t Ht); nra|].
-      specialize (Q t Ht). replace ((v2' t - v2 t) ^ 2) with ((v2 t - v2' t) ^ 2) by ring. auto.
+  assert (Cq : cont q) by continuous. assert (NZ : forall t, T <= t -> q t <> 0).
+  { intros t Ht E. specialize (Q t Ht). unfold q in E. rewrite E in Q. lra. }
+  assert (exists j, (j = 1 \/ j = -1) /\ forall t, T <= t -> 0 < j * q t) as (j & Hj & Sign).
+  { pose proof (NZ T ltac:(lra)). exists (if Rlt_dec 0 (q T) then 1 else -1).
+    split; [destruct Rlt_dec; auto|]. intros t Ht. apply Rnot_le_lt. intros N.
+    destruct (cont_IVT q T t Cq) as (u & Hu & Zu); [lra| |apply (NZ u); lra]. destruct Rlt_dec; nra. }
+  apply (no_gap j _ _ _ _ _ _ _ _ _ _ c d K B T H H'); auto; try lra.
+  - intros; apply Bd; auto.
+  - intros; apply Bd'; auto.
+  - intros r t Hr. apply (lips _ _ _ _ _ G B H' LU' Bd' r t Hr).
+  - intros t Ht. split; [|apply P'; unfold T in Ht; lra]. specialize (Q t Ht).
+    apply Near; [apply Sign; auto|destruct Hj; subst j; lra].
 Qed.
 End Two.
 
-(** the same damper for both *)
-Corollary approach_bounded U x v1 v2 s x' v1' v2' s' G B : forced U x v1 v2 s -> forced U x' v1' v2' s' -> 0 <= G ->
-  (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
-  (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
-  (forall t, 0 <= t -> Rabs (x' t) <= B /\ Rabs (v1' t) <= B /\ Rabs (v2' t) <= B) ->
-  forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= e.
-Proof.
-  intros H H' HG LU Bd Bd'. apply (approach_dampers U x v1 v2 s U x' v1' v2' s' (fun _ => 0) G B 0); auto.
-  intros t Ht. split; [lra|]. apply rderiv_eq with 0; [ring|].
-  apply rderiv_same.
-Qed.
 End Response.
 
 (** what stays within an energy distance of something bounded is bounded *)
@@ -291,15 +254,13 @@ Lemma beside m1 m2 a2 x v1 v2 x' v1' v2' B D : 0 < m1 -> 0 < m2 -> 0 < a2 ->
   energy m1 m2 a2 (x - x') (v1 - v1') (v2 - v2') <= D -> Rabs x' <= B /\ Rabs v1' <= B /\ Rabs v2' <= B ->
   Rabs x <= B + reach m1 m2 a2 D /\ Rabs v1 <= B + reach m1 m2 a2 D /\ Rabs v2 <= B + reach m1 m2 a2 D.
 Proof.
-  intros Hm1 Hm2 Ha2 Q (b1 & b2 & b3). unfold energy in Q. unfold reach.
+  intros Hm1 Hm2 Ha2 Q Bd. apply (energy_within m1 m2 a2 Hm1 Hm2 Ha2) in Q. unfold reach.
   pose proof (sqrt_pos (2 * D / a2)). pose proof (sqrt_pos (2 * D / m1)). pose proof (sqrt_pos (2 * D / m2)).
-  pose proof (pow2_ge_0 (x - x')). pose proof (pow2_ge_0 (v1 - v1')). pose proof (pow2_ge_0 (v2 - v2')).
-  assert (Near : forall m z z' y, 0 < m -> m * (z - z') ^ 2 <= 2 * D -> Rabs z' <= B -> sqrt (2 * D / m) <= y ->
-    Rabs z <= B + y).
-  { intros m z z' y Hm Hz Hz' Hy. replace z with (z' + (z - z')) by ring. eapply Rle_trans; [apply Rabs_triang|].
-    apply Rplus_le_compat; auto. apply Rle_trans with (2 := Hy). rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt.
-    unfold Rsqr. undivide m. lra. }
-  repeat split; [apply (Near a2 _ x')|apply (Near m1 _ v1')|apply (Near m2 _ v2')]; auto; try lra; nra.
+  assert (Near : forall z z' y, Rabs (z - z') <= y -> Rabs z' <= B -> Rabs z <= B + y) by
+    (intros; split_Rabs; lra).
+  pose proof (Near x x' _ ltac:(apply Q) ltac:(apply Bd)).
+  pose proof (Near v1 v1' _ ltac:(apply Q) ltac:(apply Bd)).
+  pose proof (Near v2 v2' _ ltac:(apply Q) ltac:(apply Bd)). lra.
 Qed.
 
 (** *** A damper a(t) that is controlled in time *)

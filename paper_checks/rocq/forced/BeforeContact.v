@@ -165,10 +165,8 @@ Lemma load_within d : c <= d < T -> (forall r t, d < r <= t -> t < T -> p r <= p
 Proof.
   intros Hd Up Neg. set (h := exp (- (a1 / m1))). assert (Hh : 0 < h) by apply exp_pos.
   assert (Near : 0 < h * m1 / a2) by positive.
-  set (d' := Rmax d (T - Rmin 1 (h * m1 / a2))). assert (d <= d') by apply Rmax_l.
-  assert (T - Rmin 1 (h * m1 / a2) <= d') by apply Rmax_r. pose proof (Rmin_l 1 (h * m1 / a2)).
-  pose proof (Rmin_r 1 (h * m1 / a2)). assert (0 < Rmin 1 (h * m1 / a2)) by positive.
-  exists d'. split; [split; [auto|apply Rmax_lub_lt; lra]|]. intros t Ht.
+  destruct (just_before d T (Rmin 1 (h * m1 / a2))) as (d' & Hd' & Late); [lra|positive|].
+  min_bounds (Rmin 1 (h * m1 / a2)). exists d'. split; [lra|]. intros t Ht.
   set (z := - p t). assert (Hz : 0 <= z) by (specialize (Neg t ltac:(lra)); unfold z; lra).
   set (B := z * (T - t) / (h * m1)). assert (Lead : forall q, t <= q < T -> y' q <= B).
   { intros q Hq. destruct (lead_bounds q ltac:(lra)) as (Y0 & Y1). destruct (weight q ltac:(lra)) as (_ & G).
@@ -218,9 +216,8 @@ Proof.
       as (d & Hd & K).
     { intros e' He'. destruct (analytic_continuous f T A e' He') as (d & Hd & K). exists d. split; auto. intros q _ Dq.
       apply Rlt_le, K, Dq. }
-    pose proof (Rmax_l 0 (T - Rmin d d0)). pose proof (Rmax_r 0 (T - Rmin d d0)). pose proof (Rmin_l d d0).
-    pose proof (Rmin_r d d0). assert (0 < Rmin d d0) by positive. exists (Rmax 0 (T - Rmin d d0)).
-    split; [split; [auto|apply Rmax_lub_lt; lra]|]. split; [lra|]. intros q Hq. unfold load, ModeAtContact.load.
+    destruct (just_before 0 T (Rmin d d0)) as (c & Hc & Late); [auto|positive|]. min_bounds (Rmin d d0).
+    exists c. split; [auto|]. split; [lra|]. intros q Hq. unfold load, ModeAtContact.load.
     rewrite Eq by lra. apply K; [lra|auto|]. rewrite Rabs_left; lra. }
   assert (Edge : forall k, k = 1 \/ k = -1 -> k * ld T = b -> exists d, 0 < d /\ one_mode v1 v2 (T - d) T).
   { intros k Hk Tie. destruct (Near b Hb) as (c & Hc & Hcd & Ld).
@@ -234,8 +231,7 @@ Proof.
       field; lra). rewrite Tie. ring. }
     destruct (analytic_one_way _ T (-1) (or_intror eq_refl) (analytic_beyond m1 m2 a1 a2 b f x v1 T k Hm2 A)) as (d1
       & Hd1 & Way).
-    set (d := Rmax r (T - d1)). assert (r <= d) by apply Rmax_l. assert (T - d1 <= d) by apply Rmax_r.
-    assert (Hd : d < T) by (apply Rmax_lub_lt; lra). destruct Way as [Up|Down].
+    destruct (just_before r T d1) as (d & Hd & Late); [lra|auto|]. destruct Way as [Up|Down].
     - exfalso. apply (not_more k r Hk ltac:(lra) Pos d ltac:(lra)). intros t Ht. rewrite Same by lra.
       specialize (Up (T - t) ltac:(lra)). rewrite Z in Up. replace (T + -1 * (T - t)) with t in Up by ring. exact Up.
     - destruct (load_within k r Hk ltac:(lra) Pos d ltac:(lra)) as (d' & Hd' & In).

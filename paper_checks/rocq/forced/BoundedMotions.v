@@ -19,34 +19,27 @@ Let g := G + b.
 Lemma W_dini t : 0 <= t -> dini_le W t (- a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t *
   v1 t) + g * (Rabs (v1 t) + c * Rabs (x t))).
 Proof.
-  intros Ht e He. pose proof (f_x _ _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht) as V.
-    unfold rderiv in X, V.
-  match type of X with little ?f => set (ex := f) in * end. match type of V with little ?f => set (ev := f) in * end.
-  set (k := fun h => (U (t + h) - U t) - b * (s (t + h) - s t)). assert (Bk : forall h, 0 < h -> Rabs (k h) <= g * h).
+  intros Ht. set (P := fun u => m1 * v1 u + b * s u - U u). set (k := fun u => U u - b * s u).
+  assert (Lk : forall h, 0 < h -> Rabs (k (t + h) - k t) <= g * h).
   { intros h Hh. pose proof (LU t (t + h) ltac:(lra)) as L1.
-    pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t (t + h) ltac:(lra)) as L2.
-    replace (t + h - t) with h in * by ring. apply Rabs_inv in L1. apply Rabs_inv in L2. unfold k, g.
-      apply Rabs_le. split; nra. }
-  assert (Kb : big k). { exists g, 1. repeat split; try lra; [unfold g; lra|]. intros h Hh. apply Bk; lra. }
-  set (dX := fun h => ex h + v1 t * h). set (dV := fun h => / m1 * (ev h + (- (a2 * x t + a1 * v1 t)) * h + k h)).
-  assert (BX : big dX). { apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  assert (BV : big dV). { apply big_scal, big_plus; auto.
-    apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  set (rest := fun h => a2 * x t * ex h + c * m1 * v1 t * ex h + (v1 t + c * x t) * ev h + a2 / 2 * (dX h * dX h)
-    + m1 / 2 * (dV h * dV h) + c * m1 * (dX h * dV h)).
-  assert (LR : little rest).
-  { unfold rest. repeat apply little_plus; apply little_scal; auto; apply big_mult; auto. }
-  destruct (LR e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
-    apply Rabs_inv in K. specialize (Bk h ltac:(lra)).
-  assert (EX : x (t + h) = x t + dX h) by (unfold dX, ex; ring).
-  assert (EV : v1 (t + h) = v1 t + dV h) by (unfold dV, ev, k; field; lra).
-  assert (ID : W (t + h) - W t = rest h + (- a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t
-    * v1 t)) * h + (v1 t + c * x t) * k h).
-  { unfold W. rewrite EX, EV. unfold rest. unfold dX at 1 2 3 4, dV at 1 2 3 4. unfold dX, dV. field. lra. }
-  rewrite ID. assert (Q : (v1 t + c * x t) * k h <= (Rabs (v1 t) + c * Rabs (x t)) * (g * h)).
-  { eapply Rle_trans; [apply Rle_abs|]. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; auto.
-    eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_pos_eq c) by lra. lra. }
-  lra.
+    pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t (t + h) ltac:(lra)) as L2. unfold k, g. by_sizes. }
+  assert (Bx : big (fun h => x (t + h) - x t)) by (eapply rderiv_big; rates). set (q := v1 t + c * x t).
+  assert (Bv : big (fun h => v1 (t + h) - v1 t)).
+  { apply big_ext with (fun h => / m1 * ((P (t + h) - P t) + (k (t + h) - k t))).
+    - intros. unfold P, k. field. lra.
+    - apply big_scal, big_plus; [eapply rderiv_big; unfold P; rates|]. exists g, 1.
+      repeat split; [unfold g; lra|lra|intros; apply Lk; lra]. }
+  eassert (DL : rderiv (fun u => (a2 * x t + c * m1 * v1 t) * x u + q * P u) t _) by (unfold P; rates).
+  intros e He. destruct (little_plus _ _ DL (little_plus _ _ (little_scal (a2 / 2) _ (big_mult _ _ Bx Bx))
+    (little_plus _ _ (little_scal (m1 / 2) _ (big_mult _ _ Bv Bv))
+      (little_scal (c * m1) _ (big_mult _ _ Bx Bv)))) e He)
+    as (d & Hd & K).
+  exists d. split; auto. intros h Hh. specialize (K h Hh). apply Rabs_inv in K.
+  assert (Q : q * (k (t + h) - k t) <= (Rabs (v1 t) + c * Rabs (x t)) * (g * h)).
+  { eapply Rle_trans; [apply Rle_abs|]. rewrite Rabs_mult.
+    apply Rmult_le_compat; try apply Rabs_pos; [|apply Lk; lra]. eapply Rle_trans; [apply Rabs_triang|].
+    rewrite Rabs_mult, (Rabs_pos_eq c); lra. }
+  unfold W, q, P, k in *. lra.
 Qed.
 
 (** W is between a quarter and three quarters of a2 x^2 + m1 v1^2 *)
@@ -63,15 +56,13 @@ Qed.
 Lemma W_rate t : - a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t * v1 t) + g * (Rabs (v1 t)
   + c * Rabs (x t)) <= g ^ 2 / a1 + c * (g ^ 2 / a2) - c / 3 * W t.
 Proof.
-  pose proof (pow2_abs (v1 t)) as Av. pose proof (pow2_abs (x t)) as Ax. pose proof (W_below t) as (_ & Wu).
-  assert (S1 : g * Rabs (v1 t) <= a1 / 4 * v1 t ^ 2 + g ^ 2 / a1).
-  { rewrite <- Av. set (z := Rabs (v1 t)). replace (g ^ 2 / a1) with (a1 / 4 * (2 * g / a1) ^ 2) by (field; lra).
-    replace (g * z) with (a1 / 4 * (2 * z * (2 * g / a1))) by (field; lra).
-      pose proof (pow2_ge_0 (z - 2 * g / a1)) as S. apply (Rmult_le_compat_l (a1 / 4)) in S; [|lra]. lra. }
-  assert (S2 : g * Rabs (x t) <= a2 / 4 * x t ^ 2 + g ^ 2 / a2).
-  { rewrite <- Ax. set (z := Rabs (x t)). replace (g ^ 2 / a2) with (a2 / 4 * (2 * g / a2) ^ 2) by (field; lra).
-    replace (g * z) with (a2 / 4 * (2 * z * (2 * g / a2))) by (field; lra).
-      pose proof (pow2_ge_0 (z - 2 * g / a2)) as S. apply (Rmult_le_compat_l (a2 / 4)) in S; [|lra]. lra. }
+  pose proof (W_below t) as (_ & Wu).
+  assert (Y : forall m z, 0 < m -> g * Rabs z <= m / 4 * z ^ 2 + g ^ 2 / m).
+  { intros m z Hm. rewrite <- (pow2_abs z). pose proof (pow2_ge_0 (Rabs z - 2 * g / m)) as S.
+    apply (Rmult_le_compat_l (m / 4)) in S; [|lra].
+    replace (g ^ 2 / m) with (m / 4 * (2 * g / m) ^ 2) by (field; lra).
+    replace (g * Rabs z) with (m / 4 * (2 * Rabs z * (2 * g / m))) by (field; lra). lra. }
+  pose proof (Y a1 (v1 t) Ha1) as S1. pose proof (Y a2 (x t) Ha2) as S2.
   apply (Rmult_le_compat_l c) in S2; [|lra].
   assert (S3 : - (c * a1 * (x t * v1 t)) <= c * (a2 / 2) * x t ^ 2 + a1 / 4 * v1 t ^ 2).
   { pose proof (pow2_ge_0 (v1 t / 2 + c * x t)) as S. apply (Rmult_le_compat_l a1) in S; [|lra].
@@ -97,46 +88,28 @@ Theorem bounded U x v1 v2 s G : forced U x v1 v2 s -> 0 <= G -> (forall r t, 0 <
   exists B, forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B.
 Proof.
   intros H HG LU. set (c := Rmin (Rmin 1 (a1 / (4 * m1))) (Rmin (a2 / (2 * a1)) (a2 / (4 * m1)))).
-  assert (Hc : 0 < c) by positive. assert (L1 : c <= 1) by (eapply Rle_trans; [apply Rmin_l|apply Rmin_l]).
-  assert (L2 : c <= a1 / (4 * m1)) by (eapply Rle_trans; [apply Rmin_l|apply Rmin_r]).
-  assert (L3 : c <= a2 / (2 * a1)) by (eapply Rle_trans; [apply Rmin_r|apply Rmin_l]).
-  assert (L4 : c <= a2 / (4 * m1)) by (eapply Rle_trans; [apply Rmin_r|apply Rmin_r]).
-  assert (c1 : c * m1 <= a1 / 4). { replace (a1 / 4) with (a1 / (4 * m1) * m1) by (field; lra).
-    apply Rmult_le_compat_r; lra. }
-  assert (c2 : c * a1 <= a2 / 2). { replace (a2 / 2) with (a2 / (2 * a1) * a1) by (field; lra).
-    apply Rmult_le_compat_r; lra. }
-  assert (c3 : c * (c * m1) <= a2 / 4). { replace (a2 / 4) with (a2 / (4 * m1) * m1) by (field; lra).
-    apply Rle_trans with (1 * (c * m1)); [apply Rmult_le_compat_r; nra|]. rewrite Rmult_1_l.
-      apply Rmult_le_compat_r; lra. }
-  destruct (W_bounded U x v1 v2 s G H HG LU c Hc c1 c2 c3) as (C & HC).
-  assert (Ia : 0 < / a2) by positive. assert (Im : 0 < / m1) by positive.
-  assert (E : forall t, 0 <= t -> 0 <= a2 * x t ^ 2 /\ 0 <= m1 * v1 t ^ 2 /\ a2 * x t ^ 2 + m1 * v1 t ^ 2 <= 4 * C).
-  { intros t Ht. pose proof (W_below x v1 c c3 t) as (Q & _). specialize (HC t Ht). cbv beta in Q, HC.
-    pose proof (pow2_ge_0 (x t)). pose proof (pow2_ge_0 (v1 t)). repeat split; [nra|nra|lra]. }
-  assert (C0 : 0 <= C) by (destruct (E 0 ltac:(lra)); lra).
-  set (B := 4 * C * (/ a2 + / m1) + 1). assert (HB : 1 <= B) by (unfold B; nra).
-  assert (Sq : forall m z, 0 < m -> m * z ^ 2 <= 4 * C -> / m <= / a2 + / m1 -> Rabs z <= B).
-  { intros m z Hm Q I. assert (0 < / m) by positive. apply Rabs_le, sq_le_abs; [lra|].
-    assert (z ^ 2 <= B); [|nra]. replace (z ^ 2) with (/ m * (m * z ^ 2)) by (field; lra).
-    apply Rle_trans with (/ m * (4 * C)); [scale|]. unfold B. nra. }
+  assert (Hc : 0 < c) by positive. least c.
+  assert (Un : forall y m, 0 < m -> c <= y / m -> c * m <= y) by (intros; apply Rle_div_r; auto).
+  pose proof (Un a1 (4 * m1) ltac:(lra) ltac:(lra)). pose proof (Un a2 (2 * a1) ltac:(lra) ltac:(lra)).
+  pose proof (Un a2 (4 * m1) ltac:(lra) ltac:(lra)). assert (c3 : c * (c * m1) <= a2 / 4) by nra.
+  destruct (W_bounded U x v1 v2 s G H HG LU c Hc ltac:(lra) ltac:(lra) c3) as (C & HC).
+  set (B := sqrt (4 * C / a2) + sqrt (4 * C / m1)). assert (0 <= B) by (unfold B; positive).
   assert (Bv : forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B).
-  { intros t Ht. destruct (E t Ht) as (E1 & E2 & E3). split; [apply (Sq a2)|apply (Sq m1)]; auto; lra. }
-  set (V := Rabs (v2 0) + B + 1). pose proof (Rabs_pos (v2 0)).
-    pose proof (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H) as Cv.
-  assert (Hk : 0 < b / m2) by positive. assert (Rv : forall t k, 0 <= t -> rderiv s t k -> rderiv v2 t (b / m2 * k))
-    by (intros; eapply (forced_v2_rate m1 m2 a1 a2 b); eauto).
-  assert (Up : forall t, 0 <= t -> v2 t <= V).
-  { apply barrier; auto; [unfold V; pose proof (Rle_abs (v2 0)); lra|]. intros t Ht Hv.
-    destruct (Bv t Ht) as (_ & Q). apply Rabs_inv in Q.
-    eapply rderiv_dini; [|apply (Rv t (-1)); auto; apply (f_neg _ _ _ _ _ _ _ _ _ _ H); auto; unfold V in Hv;
-      lra]. lra. }
-  assert (Lo : forall t, 0 <= t -> -1 * v2 t <= V).
-  { apply (barrier (fun t => -1 * v2 t)); auto using cont_scal; [unfold V; pose proof (Rle_abs (- v2 0)) as Q;
-    rewrite Rabs_Ropp in Q; lra|]. intros t Ht Hv. destruct (Bv t Ht) as (_ & Q). apply Rabs_inv in Q.
-    eapply rderiv_dini; [|apply rderiv_scal, (Rv t 1); auto; apply (f_pos _ _ _ _ _ _ _ _ _ _ H); auto;
-      unfold V in Hv; lra]. lra. }
-  exists V. intros t Ht. destruct (Bv t Ht). repeat split; try (unfold V; lra). specialize (Up t Ht).
-    specialize (Lo t Ht). apply Rabs_le; lra.
+  { intros t Ht. pose proof (W_below x v1 c c3 t) as (Q & _). specialize (HC t Ht). cbv beta in Q, HC.
+    assert (0 <= a2 * x t ^ 2) by positive. assert (0 <= m1 * v1 t ^ 2) by positive.
+    pose proof (root_bound a2 (x t) (4 * C) Ha2 ltac:(lra)). pose proof (sqrt_pos (4 * C / m1)).
+    pose proof (root_bound m1 (v1 t) (4 * C) Hm1 ltac:(lra)). pose proof (sqrt_pos (4 * C / a2)).
+    unfold B. lra. }
+  set (V := Rabs (v2 0) + B + 1). pose proof (Rabs_pos (v2 0)). assert (0 < b / m2) by positive.
+  assert (Up : forall k, k = 1 \/ k = -1 -> forall t, 0 <= t -> k * v2 t <= V).
+  { intros k Hk. apply (barrier (fun t => k * v2 t)); [continuous| |].
+    - pose proof (Rle_abs (k * v2 0)). rewrite Rabs_sign in * by auto. unfold V. lra.
+    - intros t Ht Hv. destruct (Bv t Ht) as (_ & Q). apply Rabs_inv in Q. unfold V in Hv.
+      pose proof (q_slip m1 m2 a1 a2 b _ U x v1 v2 s H t Ht (- k)) as S.
+      eapply rderiv_dini; [|apply rderiv_scal, (forced_v2_rate _ _ _ _ _ Hm2 U x v1 v2 s t (- k) H Ht), S];
+        destruct Hk; subst k; lra. }
+  exists V. intros t Ht. destruct (Bv t Ht). repeat split; try (unfold V; lra). apply both_signs.
+  intros k Hk. apply Up; auto.
 Qed.
 
 (** *** Any two motions under the same bounded force approach each other *)
@@ -149,9 +122,11 @@ Theorem approach U x v1 v2 s x' v1' v2' s' G : forced U x v1 v2 s -> forced U x'
 Proof.
   intros H H' HG LU. destruct (bounded _ _ _ _ _ G H HG LU) as (B & Q).
     destruct (bounded _ _ _ _ _ G H' HG LU) as (B' & Q').
-  apply (approach_bounded m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U x v1 v2 s x' v1' v2' s' G (Rmax B B')); auto; intros t Ht;
-    pose proof (Rmax_l B B'); pose proof (Rmax_r B B');
-      [destruct (Q t Ht) as (? & ? & ?)|destruct (Q' t Ht) as (? & ? & ?)]; repeat split; lra.
+  apply (approach_dampers m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U x v1 v2 s U x' v1' v2' s' (fun _ => 0) G
+    (Rmax B B') 0); auto; intros t Ht; pose proof (Rmax_l B B'); pose proof (Rmax_r B B').
+  - split; [lra|]. apply rderiv_eq with 0; [ring|apply rderiv_same].
+  - destruct (Q t Ht) as (? & ? & ?). lra.
+  - destruct (Q' t Ht) as (? & ? & ?). lra.
 Qed.
 
 (** so there is at most one motion of a given period *)
@@ -162,18 +137,13 @@ Corollary periodic_unique U x v1 v2 s x' v1' v2' s' G P : forced U x v1 v2 s -> 
   forall t, 0 <= t -> x t = x' t /\ v1 t = v1' t /\ v2 t = v2' t.
 Proof.
   intros H H' HG LU HP Pe Pe' t Ht. set (D := fun t => energy m1 m2 a2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)).
-  assert (PD : forall n, D (t + INR n * P) = D t).
-  { induction n as [|n IH]; [simpl; rewrite Rmult_0_l, Rplus_0_r; auto|]. rewrite <- IH, S_INR.
-    replace (t + (INR n + 1) * P) with (t + INR n * P + P) by ring.
-    assert (0 <= t + INR n * P) by (pose proof (pos_INR n); nra).
-    destruct (Pe (t + INR n * P)) as (E1 & E2 & E3); auto. destruct (Pe' (t + INR n * P)) as (E1' & E2' & E3'); auto.
-    unfold D. rewrite E1, E2, E3, E1', E2', E3'. auto. }
+  assert (PD : forall n, D (INR n * P + t) = D t).
+  { intros n. apply repeats; [lra| |auto]. intros r Hr. unfold D. rewrite (Rplus_comm P).
+    destruct (Pe r Hr) as (-> & -> & ->), (Pe' r Hr) as (-> & -> & ->). auto. }
   assert (D0 : D t <= 0).
   { apply le_epsilon. intros e He. rewrite Rplus_0_l.
     destruct (approach _ _ _ _ _ _ _ _ _ G H H' HG LU e He) as (T & HT & Q).
-    destruct (nfloor_ex (T / P)) as (n & _ & Hn). { positive. }
-    rewrite <- (PD (S n)). apply Q. rewrite S_INR. apply Rmult_lt_compat_r with (r := P) in Hn; auto.
-    replace (T / P * P) with T in Hn by (field; lra). lra. }
+    destruct (one_turn P T HP HT) as (n & u & -> & Hu). rewrite <- (PD (S n)). apply Q. rewrite S_INR. lra. }
   unfold D in D0. apply (energy_zero m1 m2 a2 Hm1 Hm2 Ha2) in D0. lra.
 Qed.
 End Bounded.

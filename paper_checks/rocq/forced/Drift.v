@@ -7,9 +7,7 @@ Theorem drift v2 z t : cont v2 -> cont z -> (forall r, 0 <= r -> rderiv z r (v2 
   v2 t.
 Proof.
   intros C Cz Dz Ht. assert (Q : (z t - integral v2 t) - (z 0 - integral v2 0) = 0 * (t - 0)).
-  { apply (rderiv_line (fun r => z r - integral v2 r)); [apply cont_minus; auto using integral_cont|lra|].
-    intros r Hr. replace 0 with (v2 r - v2 r) by ring.
-    apply rderiv_minus; [apply Dz; lra|apply integral_rderiv; auto; lra]. }
+  { apply (rderiv_line (fun r => z r - integral v2 r)); [continuous|lra|]. intros r Hr. rate. ring. }
   rewrite integral_0 in Q. lra.
 Qed.
 
@@ -36,9 +34,8 @@ Proof.
       lra. }
   split; [intros t Ht; specialize (Same t Ht); lra|].
   assert (Q : (z (T + T) + z T) - (z (T + 0) + z 0) = 0 * (T - 0)).
-  { apply (rderiv_line (fun r => z (T + r) + z r)); [|lra|].
-    - apply cont_plus; [apply cont_shift|]; auto; lra.
-    - intros r Hr. replace 0 with (v2 (T + r) + v2 r) by (specialize (Same r ltac:(lra)); lra).
-      apply rderiv_plus; [apply rderiv_earlier, Dz; lra|apply Dz; lra]. }
+  { apply (rderiv_line (fun r => z (T + r) + z r)); [continuous|lra|]. intros r Hr.
+    specialize (Same r ltac:(lra)). apply rderiv_eq with (v2 (T + r) + v2 r); [lra|].
+    apply rderiv_plus; [apply rderiv_earlier|]; apply Dz; lra. }
   rewrite Rplus_0_r in Q. replace (T + T) with (2 * T) in Q by ring. lra.
 Qed.

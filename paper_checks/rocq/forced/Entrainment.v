@@ -35,10 +35,9 @@ Proof. unfold rX, rV, cA, cB, M. pose proof HZ as Q. unfold Z in *. field. lra. 
 (** the response's amplitude is F over the stiffness *)
 Lemma amplitude : cA ^ 2 + cB ^ 2 = (F / sqrt Z) ^ 2.
 Proof.
-  assert (Sz : sqrt Z ^ 2 = Z) by (rewrite <- Rsqr_pow2; apply Rsqr_sqrt; lra). pose proof (sqrt_lt_R0 Z HZ).
-  replace ((F / sqrt Z) ^ 2) with (F ^ 2 / Z) by (rewrite <- Sz at 1; field; lra).
-  replace (F ^ 2 / Z) with (F ^ 2 * Z / Z ^ 2) by (field; lra). unfold cA, cB.
-  transitivity (F ^ 2 * ((a2 - (m1 + m2) * om ^ 2) ^ 2 + (a1 * om) ^ 2) / Z ^ 2); [field; lra|reflexivity].
+  pose proof (sqrt_lt_R0 Z HZ). replace ((F / sqrt Z) ^ 2) with (F ^ 2 / Z).
+  - unfold cA, cB, Z in *. field. lra.
+  - rewrite <- (sqrt_sqrt Z) at 1 by lra. field. lra.
 Qed.
 
 (** so the place is bounded by it *)
@@ -96,10 +95,9 @@ Proof.
   apply Fstar_load. set (R := F / sqrt Z).
     assert (HR : 0 < R) by positive.
   destruct (polar cB cA R om 0 HR Hom) as (t & (Ht & _) & C & S). { rewrite Rplus_comm. apply amplitude. }
-  assert (X : rX t = R). { unfold rX. rewrite <- C, <- S. pose proof (sin2_cos2 (om * t)) as Q. unfold Rsqr in Q.
-    replace (R * sin (om * t) * sin (om * t) + R * cos (om * t) * cos (om * t)) with (R * (sin (om * t) * sin (om
-      * t) + cos (om * t) * cos (om * t))) by ring.
-    rewrite Q; ring. }
+  assert (X : rX t = R).
+  { unfold rX. rewrite <- C, <- S. pose proof (sin2_cos2 (om * t)) as Q. unfold Rsqr in Q.
+    apply (f_equal (Rmult R)) in Q. lra. }
   pose proof (lip_rderiv rV _ t _ L Ht (rderiv_of_derive _ _ _ (derive_rV t))) as B. rewrite X in B.
   rewrite Rabs_left in B by (assert (0 < om ^ 2 * R) by positive; lra). lra.
 Qed.
@@ -124,19 +122,17 @@ Proof.
     - intros t Ht. apply (stuck_needs m1 m2 a1 a2 b _ _ _ _ _ t 1 H Rlt_0_1); auto. intros r Hr. apply St. lra.
     - intros r t Hr. eapply Rle_trans; [apply Lv; auto|]. scale. }
   apply gentle_needs. intros r t Hr. apply le_epsilon. intros d Hd.
-  destruct (approach m1 m2 a1 a2 f Hm1 Hm2 Ha Ha2 Hf _ _ _ _ _ _ _ _ _ F H' (response f Hf ltac:(fold K; lra)) HF drive_lip
-    (m1 * (d / 2) ^ 2 / 2)) as (T & HT & Q); [assert (0 < (d / 2) ^ 2) by positive; nra|].
-  assert (Near : forall u, T <= u -> Rabs (v1 u - rV u) <= d / 2).
-  { intros u Hu. specialize (Q u Hu). unfold energy in Q. apply Rabs_le, sq_le_abs; [lra|].
-    pose proof (Rmult_le_pos a2 _ (Rlt_le _ _ Ha2) (pow2_ge_0 (x u - rX u))).
-    pose proof (Rmult_le_pos m2 _ (Rlt_le _ _ Hm2) (pow2_ge_0 (v1 u - rV u))). apply Rmult_le_reg_l with m1; lra. }
+  destruct (energy_close m1 m2 a2 Hm1 Hm2 Ha2 (d / 2) ltac:(lra)) as (e & He & Small).
+  destruct (approach m1 m2 a1 a2 f Hm1 Hm2 Ha Ha2 Hf _ _ _ _ _ _ _ _ _ F H' (response f Hf ltac:(fold K; lra))
+    HF drive_lip e He) as (T & HT & Q).
+  assert (Near : forall u, T <= u -> Rabs (v1 u - rV u) <= d / 2) by
+    (intros u Hu; apply (Small _ _ _ (Q u Hu))).
   assert (P0 := PI_RGT_0). assert (Pp : 0 < 2 * PI / om) by positive.
   destruct (nat_above T (2 * PI / om) Pp) as (n & Hn).
   rewrite <- (rV_period n t), <- (rV_period n r). set (p := INR n * (2 * PI / om)) in *.
   pose proof (Near (t + p) ltac:(lra)) as N1. pose proof (Near (r + p) ltac:(lra)) as N2.
     pose proof (Lv (r + p) (t + p) ltac:(lra)) as L.
-  replace (t + p - (r + p)) with (t - r) in L by ring. apply Rabs_inv in N1. apply Rabs_inv in N2.
-    apply Rabs_inv in L. apply Rabs_le. lra.
+  replace (t + p - (r + p)) with (t - r) in L by ring. by_sizes.
 Qed.
 
 (** [stuck-iff] With $a_1>0$ some solution sticks permanently under a sinusoidal force exactly if its amplitude is at

@@ -29,8 +29,7 @@ Proof.
         by (unfold beyond, load, ModeAtContact.load, M; field; lra). rewrite Tie. ring. }
     destruct (analytic_one_way _ t0 1 (or_introl eq_refl) (analytic_beyond m1 m2 a1 a2 b g x v1 t0 k Hm2 A)) as (d1 &
       Hd1 & Way).
-    set (d := Rmin d0 d1). assert (d <= d0) by apply Rmin_l. assert (d <= d1) by apply Rmin_r.
-    assert (Hd : 0 < d) by positive. destruct Way as [Up|Down].
+    set (d := Rmin d0 d1). least d. assert (Hd : 0 < d) by positive. destruct Way as [Up|Down].
     - destruct (slips_at_edge m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d H Ht Hd ltac:(intros; apply DU;
       lra) Meet k Hk Tie) as (d' & Hd' & Slip); [|exists d'; eauto using one_sided].
       intros t Hr. rewrite Same by lra. specialize (Up (t - t0) ltac:(lra)). rewrite Z in Up.

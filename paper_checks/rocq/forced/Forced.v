@@ -30,13 +30,9 @@ Proof.
 Qed.
 
 (** sizes by squares *)
-Lemma square_bound m z c : 0 < m -> 0 <= c -> m * z ^ 2 <= m * c ^ 2 -> Rabs z <= c.
-Proof. intros Hm Hc Q. apply Rabs_le, sq_le_abs; auto. apply Rmult_le_reg_l with m; auto. Qed.
 Lemma root_bound m z q : 0 < m -> m * z ^ 2 <= q -> Rabs z <= sqrt (q / m).
 Proof.
-  intros Hm Q. apply (square_bound m); [auto|apply sqrt_pos|]. rewrite pow2_sqrt.
-  - replace (m * (q / m)) with q by (field; lra). auto.
-  - apply Rdiv_le_0_compat; auto. pose proof (pow2_ge_0 z). nra.
+  intros Hm Q. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. undivide m. lra.
 Qed.
 
 (** *** what a force can do: the root of twice the energy bounds the velocity of body 1, and grows at most by what the force
@@ -48,11 +44,21 @@ Proof.
   rewrite <- (sqrt_Rsqr_abs v1), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt. unfold energy, Rsqr. nra.
 Qed.
 (** and what an energy bounds *)
-Lemma energy_parts x v1 v2 E : energy m1 m2 a2 x v1 v2 <= E -> a2 * x ^ 2 <= 2 * E /\ m1 * v1 ^ 2 <= 2 * E /\
-  m2 * v2 ^ 2 <= 2 * E.
+Lemma energy_within x v1 v2 E : energy m1 m2 a2 x v1 v2 <= E ->
+  Rabs x <= sqrt (2 * E / a2) /\ Rabs v1 <= sqrt (2 * E / m1) /\ Rabs v2 <= sqrt (2 * E / m2).
 Proof.
   unfold energy. intros Q. assert (0 <= a2 * x ^ 2) by positive. assert (0 <= m1 * v1 ^ 2) by positive.
-  assert (0 <= m2 * v2 ^ 2) by positive. lra.
+  assert (0 <= m2 * v2 ^ 2) by positive. repeat split; apply root_bound; lra.
+Qed.
+(** where it is small, all is *)
+Lemma energy_close e : 0 < e -> exists E, 0 < E /\ forall x v1 v2, energy m1 m2 a2 x v1 v2 <= E ->
+  Rabs x <= e /\ Rabs v1 <= e /\ Rabs v2 <= e.
+Proof.
+  intros He. set (mu := Rmin a2 (Rmin m1 m2)). assert (0 < mu) by positive. least mu.
+  exists (mu * e ^ 2 / 2). split; [positive|]. intros x v1 v2 Q. apply energy_within in Q.
+  assert (S : forall m, mu <= m -> sqrt (2 * (mu * e ^ 2 / 2) / m) <= e).
+  { intros m Hm. rewrite <- (sqrt_pow2 e) at 2 by lra. apply sqrt_le_1_alt. undivide m. nra. }
+  pose proof (S a2 ltac:(lra)). pose proof (S m1 ltac:(lra)). pose proof (S m2 ltac:(lra)). lra.
 Qed.
 Lemma pushed_apart x v1 v2 du J r t : let D t := energy m1 m2 a2 (x t) (v1 t) (v2 t) in cont D -> cont J -> 0 <= r <= t ->
   (forall u, r <= u < t -> rderiv J u (Rabs (du u)) /\ dini_le D u (du u * v1 u)) ->
@@ -123,28 +129,6 @@ Theorem forced_energy_rate U x v1 v2 s t u : forced U x v1 v2 s -> 0 <= t -> rde
   rderiv (fun t => energy (x t) (v1 t) (v2 t)) t (u * v1 t - a1 * v1 t ^ 2 - b * Rabs (v1 t - v2 t)).
 Proof. intros H. exact (moves_energy_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ H t u). Qed.
 
-Section Two.
-Context (U x v1 v2 s U' x' v1' v2' s' : R -> R) (H : forced U x v1 v2 s) (H' : forced U' x' v1' v2' s').
-Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
-(** *** Input to state: the energy distance grows at most by the L1 norm of the difference of the forces *)
-Let N t := sqrt (2 * D t).
-
-(** it bounds the velocity of body 1 *)
-Lemma velocity_within t : sqrt m1 * Rabs (v1 t - v1' t) <= N t.
-Proof. exact (energy_above m1 m2 a2 Hm1 Hm2 Ha2 _ _ _). Qed.
-
-(** two forces: the root of twice the energy distance grows at most by the integral of their difference over sqrt m1 *)
-Theorem input_to_state du J r t : cont J -> 0 <= r <= t ->
-  (forall u, r <= u < t -> rderiv (fun r => U r - U' r) u (du u) /\ rderiv J u (Rabs (du u))) ->
-  N t <= N r + (J t - J r) / sqrt m1.
-Proof.
-  intros CJ Hr HU. apply (pushed_apart m1 m2 a2 Hm1 Hm2 Ha2 (fun t => x t - x' t) (fun t => v1 t - v1' t) (fun t => v2 t - v2' t) du);
-    auto; [exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H')|]. intros u Hu. destruct (HU u Hu) as (DU & DJ). split; auto.
-  eapply dini_weaken; [|exact (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) DU)].
-  pose proof (pow2_ge_0 (v1 u - v1' u)). nra.
-Qed.
-End Two.
-
 (** *** Contraction, uniqueness: two solutions under the same force (any continuous impulse) *)
 
 (** [forced-contraction] Under any force the flow is non-expansive in the energy norm. *)
@@ -213,9 +197,7 @@ Theorem trackable x0 r r' : cont r -> (forall t, 0 <= t -> rderiv r t (r' t)) ->
     (fun t => x0 + r t - r 0) r' r' (fun t => m2 / b * r' t).
 Proof.
   intros C R L. assert (Cr' : cont r') by (apply (lip_cont r' (b / m2)); [positive|]; auto).
-  assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
-  apply stuck_forced; auto.
-  - repeat apply cont_plus; apply cont_scal; auto using integral_cont.
+  assert (Cx : cont (fun t => x0 + r t - r 0)) by continuous. apply stuck_forced; auto; [continuous| |].
   - intros t Ht. rate; ring.
   - intros t Ht. apply rderiv_ext with (fun u => - a1 * r u + - a2 * integral (fun u => x0 + r u - r 0) u).
     { intros u Hu. ring. }
@@ -241,14 +223,22 @@ Proof.
   intros. rate; ring.
 Qed.
 
+(** the rate of the momentum, but for the force *)
+Lemma momentum U x v1 v2 s t : forced U x v1 v2 s -> 0 <= t ->
+  rderiv (fun r => m1 * v1 r + m2 * v2 r - U r) t (- (a2 * x t + a1 * v1 t)).
+Proof.
+  intros H Ht. apply rderiv_ext with (fun r => m1 * v1 r + b * s r - U r + (m2 * v2 0 - b * s 0)).
+  - intros r Hr. pose proof (f_v2 _ _ _ _ _ H r ltac:(lra)). lra.
+  - destruct H. rate; ring.
+Qed.
 (** a stick leaves no choice: the force must be M v' + a1 v + a2 x *)
 Theorem stuck_needs U x v1 v2 s t d : forced U x v1 v2 s -> 0 < d -> (forall r, t <= r < t + d -> v1 r = v2 r) ->
   0 <= t ->
   rderiv (fun r => M * v1 r - U r) t (- (a2 * x t + a1 * v1 t)).
 Proof.
-  intros H Hd St Ht. apply rderiv_near with (fun r => m1 * v1 r + b * s r - U r + (m2 * v2 0 - b * s 0)) d; auto.
-  - intros r Hr. pose proof (f_v2 _ _ _ _ _ H r ltac:(lra)). rewrite (St r) by lra. unfold M. lra.
-  - destruct H. rate; ring.
+  intros H Hd St Ht. apply rderiv_near with (fun r => m1 * v1 r + m2 * v2 r - U r) d;
+    [auto| |exact (momentum _ _ _ _ _ t H Ht)].
+  intros r Hr. rewrite (St r) by lra. unfold M. ring.
 Qed.
 
 (** *** Where body 2 can be: the fastest ways to gain distance are full acceleration and then full braking *)

@@ -13,9 +13,6 @@ Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (HU : forall t, 0 <= t -> rder
   (Load : forall t, T <= t -> Rabs (m2 * (u t - a2 * x t - a1 * v1 t) / M) <= b - g).
 Let w t := v1 t - v2 t.
 
-Lemma kap_pos : 0 < kap.
-Proof. unfold kap, M. apply Rdiv_lt_0_compat; nra. Qed.
-
 (** off contact |w| falls at the rate kappa g at least *)
 Lemma slip_falls t k : T <= t -> k = 1 \/ k = -1 -> 0 < k * w t -> dini_le (fun r => k * w r) t (- (kap * g)).
 Proof.
@@ -28,34 +25,20 @@ Proof.
   rewrite <- Ropp_mult_distr_r_reverse. apply Rmult_le_compat_l; [lra|]. destruct Hk; subst k; lra.
 Qed.
 
-Lemma cont_w : cont w.
-Proof. continuous. Qed.
-
 (** while it slips, |v1 - v2| falls at least at a fixed rate *)
 Theorem catch t : T + Rabs (w T) / (kap * g) <= t -> v1 t = v2 t.
 Proof.
-  intros Ht. pose proof kap_pos as Kp. assert (Kg : 0 < kap * g) by nra. pose proof (Rabs_pos (w T)) as Wp.
-  set (tau := Rabs (w T) / (kap * g)) in *.
-    assert (Htau : 0 <= tau) by positive.
+  intros Ht. assert (0 < kap) by (unfold kap, M; positive). assert (0 < kap * g) by positive.
+  pose proof (Rabs_pos (w T)).
+  assert (0 <= Rabs (w T) / (kap * g)) by positive. assert (Start : Rabs (w T) <= kap * g * (t - T)).
+  { replace (Rabs (w T)) with (kap * g * (Rabs (w T) / (kap * g))) by (field; lra). scale. }
   assert (Key : forall k, k = 1 \/ k = -1 -> k * w t <= 0).
-  { intros k Hk. assert (Ck : cont (fun r => k * w r)) by (apply cont_scal, cont_w).
-    destruct (Classical_Prop.classic (exists r, T <= r <= t /\ k * w r <= 0)) as [(r & Hr & Wr)|No].
-    - apply le_epsilon. intros e He. rewrite Rplus_0_l. replace t with (r + (t - r)) by ring.
-      apply (barrier (fun q => k * w (r + q))); [apply (cont_shift (fun q => k * w q)); auto;
-        lra|rewrite Rplus_0_r; lra| |lra].
-      intros q Hq Wq. pose proof (slip_falls (r + q) k ltac:(lra) Hk ltac:(lra)) as D. intros e' He'.
-        destruct (D e' He') as (d & Hd & K).
-      exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rplus_assoc in K. nra.
-    - destruct (Rle_dec (k * w t) 0) as [|N]; auto. exfalso.
-      assert (Pos : forall r, T <= r <= t -> 0 < k * w r). { intros r Hr. destruct (Rlt_dec 0 (k * w r)); auto.
-        exfalso. apply No. exists r; split; lra. }
-      assert (Q : k * w t - k * w T <= - (kap * g) * (t - T)).
-      { apply (dini_slope (fun r => k * w r)); auto; [lra|]. intros r Hr. apply slip_falls; auto; [lra|].
-        apply Pos; lra. }
-      assert (k * w T <= Rabs (w T)). { pose proof (Rle_abs (w T)). pose proof (Rle_abs (- w T)) as Q'.
-        rewrite Rabs_Ropp in Q'. destruct Hk; subst k; lra. }
-      assert (kap * g * tau = Rabs (w T)) by (unfold tau; field; lra).
-        assert (kap * g * tau <= kap * g * (t - T)) by scale. lra. }
+  { intros k Hk. cut (k * w t + kap * g * (t - t) <= 0); [lra|].
+    apply (barrier_until (fun r => k * w r + kap * g * (r - t)) 0 T t); [continuous|lra| |].
+    - pose proof (Rle_abs (k * w T)). rewrite Rabs_sign in * by auto. lra.
+    - intros r Hr Up. assert (0 < kap * g * (t - r)) by (apply Rmult_lt_0_compat; lra).
+      eassert (R : rderiv (fun r => kap * g * (r - t)) r _) by rates.
+      eapply dini_eq; [|exact (dini_plus _ _ _ _ _ (slip_falls r k ltac:(lra) Hk ltac:(lra)) R)]. lra. }
   pose proof (Key 1 ltac:(auto)). pose proof (Key (-1) ltac:(auto)). unfold w in *. lra.
 Qed.
 End Catch.
@@ -96,24 +79,15 @@ Proof.
   apply Rmult_lt_compat_l with (r := m2) in Bl; auto. replace (m2 * (b / m2)) with b in Bl by (field; lra).
   set (g := (b - m2 * (om ^ 2 * R0)) / 2). assert (Hg : 0 < g) by (unfold g; lra).
   set (d := M * g / m2 / (a1 + a2)). assert (Hd : 0 < d) by (unfold d; repeat apply Rdiv_lt_0_compat; nra).
-  set (e := Rmin a2 m1 * d ^ 2 / 2). assert (Hmin : 0 < Rmin a2 m1) by positive.
-    assert (He : 0 < e) by (unfold e; assert (0 < d ^ 2) by nra; nra).
+  destruct (energy_close m1 m2 a2 Hm1 Hm2 Ha2 d Hd) as (e & He & Small).
   destruct (entrains x v1 v2 s ltac:(lra) H e He) as (T & HT & Near).
   exists (T + Rabs (v1 T - v2 T) / (M / (m1 * m2) * g)). split.
   { assert (0 < M / (m1 * m2) * g) by positive. assert (0 <= Rabs (v1 T - v2 T) / (M / (m1 * m2) * g)); [|lra].
       apply Rmult_le_pos; [apply Rabs_pos|positive]. }
   apply (catch m1 m2 a1 a2 b Hm1 Hm2 (drive F om) (fun t => F * sin (om * t)) x v1 v2 s T g H); auto.
   { intros; apply rderiv_of_derive, derive_drive; auto. }
-  intros t Ht. cbv beta. fold M. specialize (Near t Ht). unfold energy in Near.
+  intros t Ht. cbv beta. fold M. destruct (Small _ _ _ (Near t Ht)) as (By & Bp & _).
   set (y := x t - rX m1 m2 a1 a2 F om t) in *. set (p := v1 t - rV m1 m2 a1 a2 F om t) in *.
-  assert (Bd : Rabs y <= d /\ Rabs p <= d).
-  { pose proof (Rmin_l a2 m1). pose proof (Rmin_r a2 m1). pose proof (pow2_ge_0 y). pose proof (pow2_ge_0 p).
-    pose proof (pow2_ge_0 (v2 t - rV m1 m2 a1 a2 F om t)).
-    assert (Sq : forall m z, Rmin a2 m1 <= m -> 0 <= z ^ 2 -> m * z ^ 2 <= 2 * e -> Rabs z <= d).
-    { intros m z Hm Hz Hz'. apply Rabs_le, sq_le_abs; [lra|]. apply Rmult_le_reg_l with (Rmin a2 m1); auto.
-      apply Rle_trans with (m * z ^ 2); [scale|]. unfold e in Hz'. lra. }
-    split; [apply (Sq a2)|apply (Sq m1)]; auto; nra. }
-  destruct Bd as (By & Bp).
   pose proof (balance m1 m2 a1 a2 F om HZ t) as Ba. pose proof (rX_bound m1 m2 a1 a2 F om HF HZ t) as BX. fold R0 in BX.
   replace (m2 * (F * sin (om * t) - a2 * x t - a1 * v1 t) / M) with (- (m2 * (om ^ 2 * rX m1 m2 a1 a2 F om t) + m2
     / M * (a2 * y + a1 * p))) by (rewrite <- Ba; unfold y, p, M; field; lra).

@@ -16,8 +16,7 @@ Lemma forced_mean U x v1 v2 s y w1 w2 r : forced m1 m2 a1 a2 b U x v1 v2 s -> fo
 Proof.
   intros [L P N CU CX CV X V W] [L' P' N' _ CX' CV' X' V' W'] Same. unfold mean.
   constructor; auto using cont_plus, cont_scal, rderiv_plus, rderiv_scal.
-  - intros p t Hp. specialize (L p t Hp). specialize (L' p t Hp). apply Rabs_inv in L. apply Rabs_inv in L'.
-    apply Rabs_le. lra.
+  - intros p t Hp. specialize (L p t Hp). specialize (L' p t Hp). by_sizes.
   - intros t Ht Hv. apply rderiv_eq with (/ 2 * 1 + / 2 * 1); [field|]. destruct (Same t Ht) as [?|[?|?]]; try lra.
     apply rderiv_plus; apply rderiv_scal; [apply P|apply P']; tauto.
   - intros t Ht Hv. apply rderiv_eq with (/ 2 * -1 + / 2 * -1); [field|]. destruct (Same t Ht) as [?|[?|?]]; try lra.
@@ -66,25 +65,16 @@ Proof.
     destruct (Pe (t - T) ltac:(lra)) as (_ & E1 & E2). replace (2 * T + (t - T)) with (T + t) in E1, E2 by ring.
     rewrite E1, E2. apply Fo. lra. }
   assert (Many : forall n t, 0 <= t -> v1 (INR n * (2 * T) + t) = v1 t /\ v2 (INR n * (2 * T) + t) = v2 t).
-  { induction n as [|n IH]; intros t Ht; [simpl; rewrite Rmult_0_l, Rplus_0_l; auto|]. rewrite S_INR.
-    replace ((INR n + 1) * (2 * T) + t) with (2 * T + (INR n * (2 * T) + t)) by ring.
-    pose proof (Rmult_le_pos _ (2 * T) (pos_INR n) ltac:(lra)).
-    destruct (Pe (INR n * (2 * T) + t) ltac:(lra)) as (_ & -> & ->). auto. }
+  { intros n t Ht. split; apply repeats; auto; try lra; intros; apply Pe; auto. }
   set (U := wave F om phi) in *.
   assert (H' : forced m1 m2 a1 a2 b U (fun t => - x (T + t)) (fun t => - v1 (T + t)) (fun t => - v2 (T + t))
     (fun t => - s (T + t))).
   { apply forced_half_turn; auto; [lra|]. intros t Ht. exact (wave_half F om phi t Hom). }
   exists (mean x (fun t => - x (T + t))), (mean v1 (fun t => - v1 (T + t))), (mean v2 (fun t => - v2 (T + t))),
     (mean s (fun t => - s (T + t))). split; [|split].
-  - apply forced_mean; auto. intros t Ht. destruct (nfloor_ex (t / (2 * T))) as (n & Hn).
-    { positive. }
-    assert (Q : t / (2 * T) * (2 * T) = t) by (field; lra).
-    set (u := t - INR n * (2 * T)). assert (Hu : 0 <= u < 2 * T).
-    { destruct Hn as (Lo & Hi). apply Rmult_le_compat_r with (r := 2 * T) in Lo; [|lra].
-      apply Rmult_lt_compat_r with (r := 2 * T) in Hi; [|lra]. rewrite Q in Lo, Hi. unfold u. lra. }
-    destruct (Many n _ (proj1 Hu)) as (E1 & E2). destruct (Many n (T + u) ltac:(lra)) as (E3 & E4).
-    replace (INR n * (2 * T) + u) with t in E1, E2 by (unfold u; ring).
-    replace (INR n * (2 * T) + (T + u)) with (T + t) in E3, E4 by (unfold u; ring).
+  - apply forced_mean; auto. intros t Ht. destruct (one_turn (2 * T) t ltac:(lra) Ht) as (n & u & -> & Hu).
+    destruct (Many n u (proj1 Hu)) as (E1 & E2), (Many n (T + u) ltac:(lra)) as (E3 & E4).
+    replace (INR n * (2 * T) + (T + u)) with (T + (INR n * (2 * T) + u)) in E3, E4 by ring.
     destruct (Signs _ Hu) as [?|[?|?]]; [left|right; left|right; right]; lra.
   - intros t Ht. fold T in Ht. specialize (Fo t Ht). specialize (Ba (T + t) ltac:(lra)). unfold mean. lra.
   - intros t Ht. destruct (Pe t Ht) as (E1 & E2 & E3). unfold mean. fold T.
@@ -107,7 +97,7 @@ Corollary by_halves_needs om (k k' : R -> R) F phi x v1 v2 s : 0 < om -> (forall
   (forall t, is_derive k' t ((1 - a1 * k' t - a2 * k t) / m1)) -> k (PI / om) = - k 0 -> k' (PI / om) = - k' 0 ->
   0 < Z1 m1 a1 a2 om -> 0 < leave m1 m2 a1 a2 b om (k 0) (k' 0) -> 0 <= F -> by_halves om F phi x v1 v2 s ->
   Fslip m1 m2 a1 a2 b om (k 0) (k' 0) <= F.
-Proof.
+Proof using Hm1 Hm2 Ha1 Ha2.
   intros Hom Dk Dk' Ek Ek' HZ Hl HF H. destruct (by_halves_nonstop om F phi x v1 v2 s Hom H) as (x' & v1' & v2' & s' &
     H').
   eapply nonstop_needs; eauto.

@@ -28,6 +28,7 @@ Qed.
 Section Heavy.
 Context (m1 m2 a1 a2 b : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Context (x v1 v2 s : R -> R) (H : solution m1 m2 a1 a2 b x v1 v2 s).
+Let Fo := proj2 (free_case m1 m2 a1 a2 b x v1 v2 s) H.
 Let p t := a2 * x t + a1 * v1 t.
 Let w t := v1 t - v2 t.
 Context (X V : R) (BX : forall t, 0 <= t -> - X <= x t <= X) (BV : forall t, 0 <= t -> - V <= v1 t <= V).
@@ -37,25 +38,16 @@ Lemma load_relaxes k c r t : k = 1 \/ k = -1 -> 0 <= r <= t -> (forall u, r <= u
   k * p t - (b * c + a2 * V * m1 / a1)
   <= exp (- (a1 / m1 * (t - r))) * (k * p r - (b * c + a2 * V * m1 / a1)).
 Proof.
-  intros Hk Hr S. assert (Cp : cont p).
-  { apply cont_plus; apply cont_scal; [apply (s_cx _ _ _ _ _ _ _ _ _ H)|apply (s_cv _ _ _ _ _ _ _ _ _ H)]. }
-  apply (relaxes (fun u => k * p u)); auto using cont_scal; [positive|]. intros u Hu e He.
-  assert (He1 : 0 < e * m1 / (2 * a1 * b)) by positive. destruct (S u Hu _ He1) as (d & Hd & K).
-  pose proof (rderiv_plus _ _ _ _ _ (rderiv_scal (k * a2) _ _ _ (s_x _ _ _ _ _ _ _ _ _ H u ltac:(lra))) (rderiv_scal (k
-    * a1 / m1) _ _ _ (s_v1 _ _ _ _ _ _ _ _ _ H u ltac:(lra)))) as R. destruct (R (e / 2) ltac:(lra)) as (d' & Hd' & K').
-  smaller d d'. intros h Hh. specialize (K h ltac:(lra)). specialize (K' h ltac:(lra)). apply Rabs_inv in K'.
-  destruct (BV u ltac:(lra)) as (B1 & B2).
-  assert (Q : a1 * b / m1 * (- k * s (u + h) - - k * s u) <= a1 * b / m1 * ((c + e * m1 / (2 * a1 * b)) * h)).
-  { apply Rmult_le_compat_l; [positive|auto]. }
-  assert (kV : 0 <= a2 * (V - k * v1 u) * h) by (apply Rmult_le_pos; [apply Rmult_le_pos; destruct Hk; subst k|]; lra).
-  replace (a1 * b / m1 * ((c + e * m1 / (2 * a1 * b)) * h)) with ((a1 * b / m1 * c + e / 2) * h) in Q by (field; lra).
-  replace ((- (a1 / m1) * (k * p u - (b * c + a2 * V * m1 / a1)) + e) * h)
-    with ((- (a1 / m1) * (k * p u) + a1 * b / m1 * c + a2 * V + e) * h) by (field; lra).
-  replace (k * p (u + h) - k * p u) with (k * a2 * x (u + h) + k * a1 / m1 * (m1 * v1 (u + h) + b * s (u + h))
-    - (k * a2 * x u + k * a1 / m1 * (m1 * v1 u + b * s u)) + a1 * b / m1 * (- k * s (u + h) - - k * s u))
-    by (unfold p; field; lra).
-  replace (k * a2 * v1 u + k * a1 / m1 * - (a2 * x u + a1 * v1 u)) with (k * a2 * v1 u - a1 / m1 * (k * p u)) in K'
-    by (unfold p; field; lra). lra.
+  intros Hk Hr S. pose proof Fo. apply (relaxes (fun u => k * p u)); [continuous|auto|positive|]. intros u Hu.
+  eassert (R : rderiv (fun u => k * a2 * x u + k * a1 / m1 * (m1 * v1 u + b * s u - 0)) u _) by rates.
+  apply (dini_ext (fun u => a1 * b / m1 * (- k * s u) +
+    (k * a2 * x u + k * a1 / m1 * (m1 * v1 u + b * s u - 0)))).
+  { intros. unfold p. field. lra. }
+  pose proof (dini_scal (a1 * b / m1) _ _ _ ltac:(positive) (S u Hu)) as Q.
+  eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ Q R)].
+  destruct (BV u ltac:(lra)). assert (a2 * (k * v1 u) <= a2 * V) by (scale; destruct Hk; subst k; lra).
+  replace (- (a1 / m1) * (k * p u - (b * c + a2 * V * m1 / a1)))
+    with (a1 * b / m1 * c + a2 * V - a1 / m1 * (k * p u)) by (field; lra). unfold p. lra.
 Qed.
 
 Let C e := a2 * V * m1 + 4 * m1 ^ 2 / e ^ 2 * (a2 * X + V + b).
@@ -67,11 +59,8 @@ Proof.
   intros A1 He Hk Hc Hr Ht S. pose proof (load_relaxes k c r t Hk ltac:(lra) S) as Q. destruct (BX r Hr) as (X1 & X2).
   destruct (BV r Hr) as (V1 & V2). set (g := a2 * V * m1 / a1) in *. assert (G0 : 0 <= g) by (unfold g; positive).
   assert (D : k * p r - (b * c + g) <= a1 * (a2 * X + V + b)).
-  { assert (k * x r <= X) by (destruct Hk; subst k; lra). assert (k * v1 r <= V) by (destruct Hk; subst k; lra).
-    assert (a2 * (k * x r) <= a2 * X) by scale. assert (a1 * (k * v1 r) <= a1 * V) by scale.
-    assert (b * -1 <= b * c) by scale. assert (1 * (a2 * X + b) <= a1 * (a2 * X + b)).
-    { apply Rmult_le_compat_r; [|auto]. assert (0 <= a2 * X) by positive. lra. }
-    unfold p. lra. }
+  { assert (k * p r <= a2 * X + a1 * V) by (unfold p; destruct Hk; subst k; nra).
+    assert (b * -1 <= b * c) by scale. assert (0 <= (a1 - 1) * (a2 * X + b)) by positive. lra. }
   assert (E : exp (- (a1 / m1 * (t - r))) <= 4 * m1 ^ 2 / (a1 ^ 2 * e ^ 2)).
   { apply Rle_trans with (exp (- (a1 / m1 * e))).
     - assert (a1 / m1 * e <= a1 / m1 * (t - r)) by (apply Rmult_le_compat_l; [positive|lra]).
@@ -103,14 +92,9 @@ Qed.
 Lemma slow t : e <= t -> Rabs (v1 t) <= (a2 * X + b + C e) / a1.
 Proof.
   intros Ht. pose proof (load_bound t Ht) as P. destruct (BX t ltac:(lra)) as (X1 & X2).
-  assert (a2 * - X <= a2 * x t <= a2 * X) by (split; scale). assert (V0 : - V <= V) by (destruct (BV t ltac:(lra)); lra).
-  assert (C0 : C e / a1 <= C e).
-  { assert (0 <= C e).
-    { apply Rplus_le_le_0_compat; [repeat apply Rmult_le_pos; lra|apply Rmult_le_pos; [positive|lra]]. }
-    undivide a1. nra. }
-  apply Rabs_le. unfold p in P. split.
-  - apply Ropp_le_cancel. rewrite Ropp_involutive. undivide a1. lra.
-  - undivide a1. lra.
+  destruct (BV t ltac:(lra)). assert (C0 : C e / a1 <= C e).
+  { assert (0 <= C e) by (unfold C; positive). undivide a1. nra. }
+  apply both_signs. intros k Hk. undivide a1. unfold p in P. destruct Hk; subst k; nra.
 Qed.
 
 (** in a slip that lasts p tends to minus friction *)
@@ -128,13 +112,11 @@ Lemma sticks_then t1 t : C e / a1 <= b * m1 / m2 -> e <= t1 <= t -> w t1 = 0 -> 
 Proof.
   intros Sm Ht W. cut (forall k, k = 1 \/ k = -1 -> k * w t <= 0).
   { intros Q. pose proof (Q 1 ltac:(auto)). pose proof (Q (-1) ltac:(auto)). lra. }
-  intros k Hk. apply (stays_behind m1 m2 a1 a2 b Hm1 Hm2 (fun _ => 0) (fun _ => 0) x v1 v2 s 0 t
-    (proj2 (free_case m1 m2 a1 a2 b x v1 v2 s) H) (Rle_refl 0)) with (r := t1); auto; try lra; [intros; apply rderiv_const| |].
-  { change (k * w t1 <= 0). rewrite W. lra. }
-  intros q Hq. pose proof (load_bound q ltac:(lra)) as P. unfold load.
-  replace (k * (m2 * (0 - a2 * x q - a1 * v1 q) / (m1 + m2))) with (k * - p q * m2 / (m1 + m2)) by (unfold p; field; lra).
-  apply Rle_trans with ((b + b * m1 / m2) * m2 / (m1 + m2)); [|right; field; lra].
-  apply Rmult_le_compat_r; [positive|]. apply Rmult_le_compat_r; [lra|]. destruct Hk; subst k; lra.
+  intros k Hk. apply (moves_behind _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ H t1 t k); auto;
+    [lra|fold (w t1); rewrite W; lra|].
+  intros q Hq _. pose proof (load_bound q ltac:(lra)) as P. unfold p in P. exists 0.
+  split; [eapply rderiv_dini; [apply Rle_refl|rate; ring]|].
+  apply Rle_trans with (m2 * (b + b * m1 / m2)); [|right; field; lra]. scale. destruct Hk; subst k; lra.
 Qed.
 
 (** *** When they meet *)
@@ -143,8 +125,7 @@ Let D := (a2 * X + b + C e) / a1.
 Lemma body2 r t : 0 <= r <= t -> Rabs (v2 t - v2 r) <= b / m2 * (t - r).
 Proof.
   intros Hr. rewrite (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H r t) by lra.
-  rewrite Rabs_mult, (Rabs_pos_eq (b / m2)) by positive. apply Rmult_le_compat_l; [positive|].
-  apply (s_lip _ _ _ _ _ _ _ _ _ H); lra.
+  apply abs_scal; [apply Rlt_le; positive|apply (s_lip _ _ _ _ _ _ _ _ _ H); lra].
 Qed.
 
 (** by then body 2 has been stopped *)
@@ -153,7 +134,7 @@ Proof.
   assert (D0 : 0 <= D) by (eapply Rle_trans; [apply Rabs_pos|apply (slow e); lra]).
   assert (B0 : 0 <= m2 / b * D) by positive. assert (V0 : 0 <= m2 * Rabs (v2 0) / b) by positive.
   destruct (Req_dec (w e) 0) as [Z|N]; [exists e; split; [lra|auto]|].
-  assert (Cw : cont w). { apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
+  assert (Cw : cont w) by continuous.
   destruct (contact m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Ha2 Hb x v1 v2 s e H ltac:(lra)) as (q & Hq & Eq).
   destruct (first_zero w e q Cw ltac:(lra)) as (t1 & Ht1 & Z & Sg); auto. { unfold w at 2. rewrite Eq. lra. }
   exists t1. assert (exists k, (k = 1 \/ k = -1) /\ 0 < k * w e) as (k & Hk & Kw).
@@ -196,8 +177,8 @@ Theorem heavy_damping m1 m2 a2 b x0 v10 v20 e : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 
 Proof.
   intros Hm1 Hm2 Ha2 Hb He. set (E0 := energy m1 m2 a2 x0 v10 v20).
   assert (HE : 0 <= E0) by exact (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _).
-  set (X := 1 + 2 * E0 / a2). set (V := 1 + 2 * E0 / m1).
-  assert (X1 : 0 <= 2 * E0 / a2) by positive. assert (V1 : 0 <= 2 * E0 / m1) by positive.
+  set (X := 1 + sqrt (2 * E0 / a2)). set (V := 1 + sqrt (2 * E0 / m1)).
+  pose proof (sqrt_pos (2 * E0 / a2)) as X1. pose proof (sqrt_pos (2 * E0 / m1)) as V1.
   set (C := fun e => a2 * V * m1 + 4 * m1 ^ 2 / e ^ 2 * (a2 * X + V + b)).
   assert (C0 : forall e, 0 < e -> 0 < C e).
   { intros q Hq. unfold C, X, V. positive. }
@@ -211,10 +192,8 @@ Proof.
   assert (B : forall t, 0 <= t -> - X <= x t <= X /\ - V <= v1 t <= V).
   { intros t Ht. pose proof (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ H 0 t ltac:(lra)) as De.
     cbv beta zeta in De. rewrite Sx, Sv, Sw in De. fold E0 in De.
-    destruct (energy_parts m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ De) as (Qx & Qv & _).
-    split; apply sq_le_abs; try (unfold X, V; lra).
-    - assert (x t ^ 2 <= 2 * E0 / a2) by (undivide a2; lra). unfold X. nra.
-    - assert (v1 t ^ 2 <= 2 * E0 / m1) by (undivide m1; lra). unfold V. nra. }
+    destruct (energy_within m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ De) as (Qx & Qv & _). apply Rabs_inv in Qx, Qv.
+    unfold X, V. lra. }
   assert (BX := fun t Ht => proj1 (B t Ht)). assert (BV := fun t Ht => proj2 (B t Ht)).
   assert (Ha1 : 0 < a1) by lra. assert (A1 : 1 <= a1) by lra.
   assert (S1 : C e / a1 <= e) by (undivide a1; replace (C e) with (e * (C e / e)) by (field; lra); apply Rmult_le_compat_l; lra).

@@ -1,7 +1,7 @@
 (** An interface of changing strength: friction of at most b(t) against the slip, where b may depend on the time, on the
     place of body 1, on the displacement and on the speed of the slip. What parts two motions is only that their
     strengths differ; there is one motion from every start; and what stays above some strength brings every slip to rest. *)
-From InertialPair Require Import Dini PaidRates Pair Stick Pursuit Forced.
+From InertialPair Require Import Dini PaidRates Pair Stick TurnedFrame Pursuit Forced.
 
 Section Interface.
 Context (m1 m2 a1 a2 : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
@@ -40,28 +40,25 @@ Qed.
 (** [interface-one-strength] A friction of one strength at all times: the motions under a force, and only they. *)
 Theorem rubs_constant b U x v1 v2 F : 0 < b -> rubs (fun _ => b) U x v1 v2 F <-> forced m1 m2 a1 a2 b U x v1 v2 (fun t => F t / b).
 Proof.
-  intros Hb. assert (Fs : forall f : R -> R, (forall t, b * (f t / b) = f t)) by (intros; field; lra).
-  assert (To : forall t l, rderiv F t l -> rderiv (fun t => F t / b) t (l / b)) by (intros; rate; field; lra).
-  assert (Sum : forall t l, rderiv (fun r => m1 * v1 r + b * (F r / b) - U r) t l <-> rderiv (fun r => m1 * v1 r + F r - U r) t l).
-  { split; apply rderiv_ext; intros u _; rewrite Fs; auto. }
-  split.
-  - intros [Ca Sl CU Cx Cv CF X V W]. constructor; auto.
-    + intros r t Hr. apply Rmult_le_reg_l with b; auto. rewrite <- (Rabs_pos_eq b) at 1 by lra. rewrite <- Rabs_mult,
-        Rmult_minus_distr_l, !Fs. apply cap_lip; auto. intros u Hu. apply Ca. lra.
-    + intros t Ht Gt. apply rderiv_eq with (1 * b / b); [field; lra|]. apply To, Sl; auto; lra.
-    + intros t Ht Lt. apply rderiv_eq with (-1 * b / b); [field; lra|]. apply To, Sl; auto; lra.
-    + intros t Ht. apply Sum. auto.
-    + intros t Ht. rewrite !Fs. auto.
-  - intros H. pose proof (moves_cs m1 m2 a1 a2 b 1 U x v1 v2 _ H) as Cs. destruct H as [L P N CU CX CV X V W].
-    assert (Back : forall t l, rderiv (fun t => F t / b) t l -> rderiv F t (l * b)).
-    { intros t l D. apply rderiv_ext with (fun t => b * (F t / b)); [auto|]. rate; ring. }
+  intros Hb. set (s := fun t => F t / b). replace F with (fun t => b * s t).
+  2: { apply FunctionalExtensionality.functional_extensionality. intros t. unfold s. field. lra. }
+  clearbody s. split.
+  - intros [Ca Sl CU Cx Cv CF X V W].
+    assert (S : forall t k, rderiv (fun t => b * s t) t (k * b) -> rderiv s t k).
+    { intros t k D. apply rderiv_ext with (fun t => / b * (b * s t)); [intros|rate]; field; lra. }
     constructor; auto.
-    + exists 1. split; [lra|]. intros h Hh. specialize (L t (t + h) ltac:(lra)).
-      rewrite <- (Fs F (t + h)), <- (Fs F t), <- Rmult_minus_distr_l, Rabs_mult, Rabs_pos_eq by lra. nra.
-    + intros t Ht k Hk G. apply Back. destruct Hk; subst k; [apply P|apply N]; lra.
-    + apply cont_ext with (fun t => b * (F t / b)); [auto|continuous].
-    + intros t Ht. apply Sum. auto.
-    + intros t Ht. rewrite <- (Fs F t), <- (Fs F 0). auto.
+    + intros r t Hr. apply Rmult_le_reg_l with b; auto. rewrite <- (Rabs_pos_eq b) at 1 by lra.
+      rewrite <- Rabs_mult, Rmult_minus_distr_l. apply (cap_lip (fun t => b * s t)); auto.
+      intros; apply Ca; lra.
+    + intros. apply S, Sl; auto; lra.
+    + intros. apply S, Sl; auto; lra.
+  - intros H. pose proof (forced_moving _ _ _ _ _ _ _ _ _ _ H) as Mo. constructor; try apply H.
+    + intros t Ht e He. exists 1. split; [lra|]. intros h Hh.
+      pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t (t + h) ltac:(lra)).
+      rewrite <- Rmult_minus_distr_l, Rabs_mult, Rabs_pos_eq by lra. nra.
+    + intros t Ht k Hk G. apply rderiv_eq with (b * k); [ring|].
+      apply rderiv_scal, (q_slip _ _ _ _ _ _ _ _ _ _ _ Mo); auto.
+    + continuous.
 Qed.
 
 Section One.
@@ -335,7 +332,8 @@ Qed.
 End Lipschitz.
 
 (** a motion under a force has one strength; one that sticks, and needs a share of it only, that share *)
-Lemma forced_rubs b U x v1 v2 s : 0 < b -> forced m1 m2 a1 a2 b U x v1 v2 s -> rubs (fun _ => b) U x v1 v2 (fun t => b * s t).
+Lemma forced_rubs b U x v1 v2 s : 0 < b -> forced m1 m2 a1 a2 b U x v1 v2 s ->
+  rubs (fun _ => b) U x v1 v2 (fun t => b * s t).
 Proof.
   intros Hb H. apply rubs_constant; auto. replace (fun t => b * s t / b) with s; auto.
   apply FunctionalExtensionality.functional_extensionality. intros t. field. lra.
@@ -360,47 +358,40 @@ Theorem interface_synchronises b x v1 v2 F z lo hi : rubs b (fun _ => 0) x v1 v2
   exists zl, forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (z t - zl) <= e.
 Proof.
   intros H Hlo Hb Cz Dz. set (w := fun t => v1 t - v2 t). set (E := fun t => energy (x t) (v1 t) (v2 t)).
-  pose proof (rubs_cv2 _ _ _ _ _ _ H). assert (Cw : cont w) by continuous.
-  assert (CE : cont E) by exact (rubs_cE _ _ _ _ _ _ H). assert (CJ : cont (fun t => Rabs (w t))) by (apply cont_abs; auto).
-  assert (Ep : forall t, 0 <= E t) by (intros t; apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2)).
-  assert (Fall : forall t, 0 <= t -> dini_le E t (- lo * Rabs (w t))).
+  pose proof (rubs_cv2 _ _ _ _ _ _ H) as C2. assert (C1 : cont v1) by continuous.
+  assert (Cx : cont x) by continuous. assert (Fall : forall t, 0 <= t -> dini_le E t (- lo * Rabs (w t))).
   { intros t Ht. eapply rderiv_dini; [|exact (interface_energy_rate _ _ _ _ _ _ H t 0 Ht (rderiv_const 0 t))].
     fold (w t). pose proof (Rabs_pos (w t)). specialize (Hb t Ht). nra. }
-  set (J := integral (fun t => Rabs (w t))).
-  assert (Pay : forall r t, 0 <= r <= t -> lo * (J t - J r) <= E r - E t).
-  { intros r t. apply (path_paid E lo (fun t => Rabs (w t))); auto. intros u Hu. rewrite Ropp_mult_distr_l. auto. }
-  assert (Path : forall r t, 0 <= r <= t -> Rabs (z t - z r) <= J t - J r).
-  { intros r t Hr. apply both_signs. intros k Hk. cut (k * z t - J t <= k * z r - J r); [lra|].
-    apply (rderiv_mono (fun t => k * z t - J t) r t (fun t => k * w t - Rabs (w t))); [continuous|auto|].
-    intros u Hu. split; [rates|]. rewrite <- (Rabs_sign k) by auto. pose proof (Rle_abs (k * w u)). lra. }
-  assert (J0 : forall r t, 0 <= r <= t -> J r <= J t) by (intros r t Hr; pose proof (Path r t Hr); pose proof (Rabs_pos (z t - z r)); lra).
+  assert (Paid : forall k r t, k = 1 \/ k = -1 -> 0 <= r <= t -> E t + k * lo * z t <= E r + k * lo * z r).
+  { intros k r t Hk Hr. apply (dini_mono (fun u => E u + k * lo * z u)); [|auto|].
+    - apply cont_plus; [exact (rubs_cE _ _ _ _ _ _ H)|continuous].
+    - intros u Hu. pose proof (rderiv_scal (k * lo) _ _ _ (Dz u ltac:(lra))) as D.
+      eapply dini_weaken; [|exact (dini_plus _ _ _ _ _ (Fall u ltac:(lra)) D)].
+      fold (w u). rewrite <- (Rabs_sign k) by auto. pose proof (Rle_abs (k * w u)). nra. }
   assert (Em : forall r t, 0 <= r <= t -> E t <= E r).
-  { intros r t Hr. pose proof (Pay r t Hr). pose proof (J0 r t Hr). assert (0 <= lo * (J t - J r)) by (apply Rmult_le_pos; lra). lra. }
+  { intros r t Hr. pose proof (Paid 1 r t ltac:(auto) Hr). pose proof (Paid (-1) r t ltac:(auto) Hr). lra. }
   split; [exact Fall|]. split.
   - set (X := sqrt (2 * E 0 / a2)). set (V := sqrt (2 * E 0 / m1)).
-    assert (Bd : forall t, 0 <= t -> Rabs (x t) <= X /\ Rabs (v1 t) <= V).
-    { intros t Ht. destruct (energy_parts m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ (Em 0 t ltac:(lra))) as (Qx & Qv & _).
-      split; apply root_bound; auto. }
     set (K := / m1 * (a2 * X + a1 * V + 0 + hi) + / m2 * hi). pose proof (Hb 0 (Rle_refl 0)).
     assert (0 <= X) by apply sqrt_pos. assert (0 <= V) by apply sqrt_pos. assert (0 <= a2 * X + a1 * V) by positive.
-    assert (HK : 0 < K) by (unfold K; positive).
-    apply (paid_vanishes E lo ltac:(auto) Em Hlo (fun t => Rabs (w t)) J K); auto.
-    + apply integral_cont; auto.
-    + split; [apply Rabs_pos|apply (integral_rderiv (fun t => Rabs (w t))); auto].
-    + intros r t Hr. eapply Rle_trans; [apply Rabs_triang_inv2|].
-      apply (slip_lip b (fun _ => 0) x v1 v2 F (a2 * X + a1 * V) 0 hi H); auto.
-      * intros u Hu. destruct (Bd u Hu) as (Bx & Bv). split; [|apply Hb; auto]. eapply Rle_trans; [apply Rabs_triang|].
+    apply (slip_vanishes m1 m2 a2 lo Hm1 Hm2 Ha2 Hlo x v1 v2 Cx C1 C2) with (K := K); [|unfold K; positive|].
+    + intros t Ht. eapply dini_eq; [|exact (Fall t Ht)]. fold (w t). ring.
+    + apply (slip_lip b (fun _ => 0) x v1 v2 F (a2 * X + a1 * V) 0 hi H).
+      * intros u Hu. pose proof (Em 0 u ltac:(lra)) as Q. apply energy_within in Q as (Bx & Bv & _); auto.
+        split; [|apply Hb; auto]. eapply Rle_trans; [apply Rabs_triang|].
         apply Rplus_le_compat; apply abs_scal; auto; lra.
       * intros p q Hp. rewrite Rminus_0_r, Rabs_R0. lra.
-  - destruct (paid_converges E lo ltac:(auto) Em Hlo z) as (zl & _ & Lim); [|exists zl; exact Lim].
-    intros r t Hr. eapply Rle_trans; [|apply Pay; auto]. apply Rmult_le_compat_l; [lra|apply Path; auto].
+  - destruct (paid_converges E lo (fun t _ => energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _) Em Hlo z)
+      as (zl & _ & Lim); [|exists zl; exact Lim].
+    intros r t Hr. rewrite <- (Rabs_pos_eq lo) by lra. rewrite <- Rabs_mult. apply both_signs. intros k Hk.
+    pose proof (Paid k r t Hk Hr). lra.
 Qed.
 
 (** with a friction of one strength, too *)
 Corollary solution_synchronises b x v1 v2 s : 0 < b -> solution m1 m2 a1 a2 b x v1 v2 s ->
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (v1 t - v2 t) <= e.
 Proof.
-  intros Hb H. apply free_case, (forced_rubs b _ x v1 v2 s Hb) in H. rename H into R.
+  intros Hb H. pose proof (forced_rubs b _ x v1 v2 s Hb (proj2 (free_case _ _ _ _ _ _ _ _ _) H)) as R.
   pose proof (rubs_cv2 _ _ _ _ _ _ R). assert (C : cont (fun t => v1 t - v2 t)) by continuous.
   apply (interface_synchronises _ x v1 v2 _ (integral (fun t => v1 t - v2 t)) b b R Hb); [intros; lra|apply integral_cont, C|].
   intros t Ht. exact (integral_rderiv (fun t => v1 t - v2 t) t C Ht).

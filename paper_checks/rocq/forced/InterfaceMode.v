@@ -6,40 +6,39 @@ From InertialPair Require Import Dini Forced ForcedExistence Arcs ModeAtContact 
 Section InterfaceMode.
 Context (m1 m2 a1 a2 : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
 
+(** a motion from a later time on *)
+Lemma rubs_later b U x v1 v2 F t0 : 0 <= t0 -> rubs m1 m2 a1 a2 b U x v1 v2 F ->
+  rubs m1 m2 a1 a2 (fun t => b (t0 + t)) (fun t => U (t0 + t)) (fun t => x (t0 + t)) (fun t => v1 (t0 + t))
+    (fun t => v2 (t0 + t)) (fun t => F (t0 + t)).
+Proof.
+  intros Ht [Ca Sl CU Cx Cv CF X V W]. constructor; auto using cont_shift.
+  - intros t Hs e He. destruct (Ca (t0 + t) ltac:(lra) e He) as (d & Hd & K). exists d. split; auto.
+    intros h Hh. rewrite <- Rplus_assoc. auto.
+  - intros t Hs k Hk G. apply rderiv_earlier, Sl; auto; lra.
+  - intros t Hs. apply rderiv_earlier, X. lra.
+  - intros t Hs. apply (rderiv_earlier (fun r => m1 * v1 r + F r - U r)), V. lra.
+  - intros t Hs. rewrite (W (t0 + t)), (W (t0 + 0)) by lra. auto.
+Qed.
 (** while the strength is constant, a motion is one under a force with this friction *)
 Lemma rubs_forced b U x v1 v2 F t0 d b0 : rubs m1 m2 a1 a2 b U x v1 v2 F -> 0 <= t0 -> 0 < d -> 0 < b0 ->
   (forall t, t0 <= t < t0 + d -> b t = b0) -> exists y w1 w2 s, forced m1 m2 a1 a2 b0 (fun t => U (t0 + t)) y w1 w2 s /\
   forall t, 0 <= t <= d -> y t = x (t0 + t) /\ w1 t = v1 (t0 + t) /\ w2 t = v2 (t0 + t).
 Proof.
-  intros [Ca Sl CU Cx Cv CF X V W] Ht0 Hd Hb0 Eb.
-  destruct (forced_existence m1 m2 a1 a2 b0 (x (t0 + d)) (v1 (t0 + d)) (v2 (t0 + d)) (fun t => U (t0 + (d + t))) Hm1 Hm2 Ha1 Ha2 Hb0)
-    as (y & w1 & w2 & s & H & Y0 & V0 & W0).
-  { apply cont_ext with (fun t => U (t0 + d + t)); [intros; f_equal; ring|apply cont_shift; [lra|auto]]. }
-  apply forced_moves in H. destruct H as (_ & H). assert (Ds : forall f t l, rderiv f (t0 + t) (l * b0) ->
-    rderiv (fun t => / b0 * f (t0 + t)) t l).
-  { intros f t l D. apply rderiv_eq with (/ b0 * (l * b0)); [field; lra|]. apply rderiv_scal, rderiv_earlier; auto. }
-  assert (Cs : cont (fun t => / b0 * F (t0 + t))) by (apply cont_scal, cont_shift; auto).
-  pose proof (joined m1 m2 a1 a2 b0 d 1 (fun t => U (t0 + t)) (fun t => x (t0 + t)) (fun t => v1 (t0 + t)) (fun t => v2 (t0 + t))
-    (fun t => / b0 * F (t0 + t)) y w1 w2 s ltac:(lra)) as J.
-  exists (join d (fun t => x (t0 + t)) y), (join d (fun t => v1 (t0 + t)) w1), (join d (fun t => v2 (t0 + t)) w2).
-  eexists. split; [apply forced_moves; split; [apply cont_shift; auto|apply J]|].
-  - constructor; auto using cont_shift.
-    + intros r t Hr Htd. rewrite <- Rmult_minus_distr_l. apply Rmult_le_reg_l with b0; auto. rewrite <- (Rabs_pos_eq b0) at 1 by lra.
-      rewrite <- Rabs_mult. replace (b0 * (/ b0 * (F (t0 + t) - F (t0 + r)))) with (F (t0 + t) - F (t0 + r)) by (field; lra).
-      replace (b0 * (1 * (t - r))) with (b0 * (t0 + t - (t0 + r))) by ring. apply cap_lip; auto; [lra|]. intros u Hu e He.
-      rewrite <- (Eb u) by lra. apply Ca; auto; lra.
-    + intros t Ht k Hk G. apply Ds. rewrite <- (Eb (t0 + t)) by lra. apply Sl; auto; lra.
-    + intros t Ht. apply rderiv_earlier, X. lra.
-    + intros t Ht. apply rderiv_ext with (fun r => m1 * v1 (t0 + r) + F (t0 + r) - U (t0 + r)); [intros; field; lra|].
-      apply (rderiv_earlier (fun r => m1 * v1 r + F r - U r)), V. lra.
-    + intros t Ht. pose proof (W (t0 + t) ltac:(lra)). pose proof (W (t0 + 0) ltac:(lra)).
-      replace (b0 * (/ b0 * F (t0 + t))) with (F (t0 + t)) by (field; lra).
-      replace (b0 * (/ b0 * F (t0 + 0))) with (F (t0 + 0)) by (field; lra). lra.
-  - exact H.
-  - auto.
-  - auto.
-  - auto.
-  - intros t Ht. rewrite !join_before by (auto; lra). auto.
+  intros H Ht0 Hd Hb0 Eb. pose proof (rubs_later b U x v1 v2 F t0 Ht0 H) as R.
+  destruct (forced_existence m1 m2 a1 a2 b0 (x t0) (v1 t0) (v2 t0) (fun t => U (t0 + t)) Hm1 Hm2 Ha1 Ha2 Hb0
+    (r_cU _ _ _ _ _ _ _ _ _ _ R)) as (y & w1 & w2 & s & Fo & Y0 & V0 & W0).
+  exists y, w1, w2, s. split; [auto|]. intros t Ht.
+  pose proof (forced_rubs m1 m2 a1 a2 b0 _ _ _ _ _ Hb0 Fo) as R0.
+  assert (Q : energy m1 m2 a2 (y t - x (t0 + t)) (w1 t - v1 (t0 + t)) (w2 t - v2 (t0 + t))
+    <= energy m1 m2 a2 (y 0 - x (t0 + 0)) (w1 0 - v1 (t0 + 0)) (w2 0 - v2 (t0 + 0))).
+  { apply (dini_mono (fun t => energy m1 m2 a2 (y t - x (t0 + t)) (w1 t - v1 (t0 + t)) (w2 t - v2 (t0 + t)))).
+    - exact (rubs_cD m1 m2 a1 a2 Hm2 _ _ _ _ _ _ _ _ _ _ _ _ R0 R).
+    - lra.
+    - intros u Hu. eapply dini_weaken; [|exact
+        (interface_parts m1 m2 a1 a2 Hm1 Hm2 _ _ _ _ _ _ _ _ _ _ _ _ R0 R u 0
+        ltac:(lra) (rderiv_same _ u))].
+      cbv beta. rewrite Eb by lra. assert (0 <= a1 * (w1 u - v1 (t0 + u)) ^ 2) by positive. lra. }
+  rewrite Y0, V0, W0, Rplus_0_r in Q. exact (energy_apart m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ _ _ _ _ _ Q).
 Qed.
 
 (** [interface-rule] Where the strength $b$ is constant for a while from a contact on: stick for $|\Lambda|<b$, slip
@@ -86,8 +85,7 @@ Proof.
   intros Tie. split.
   - intros P n DP EP Z. set (Pt := fun i t => P i (t0 + t)). assert (P0 : forall i, Pt i 0 = P i t0) by (intros i; unfold Pt; rewrite Rplus_0_r; auto).
     assert (DPt : forall i t, is_derive (Pt i) t (Pt (S i) t)).
-    { intros i t. unfold Pt. evar_last; [apply (is_derive_comp (P i) (fun t => t0 + t)); [apply DP|auto_derive; auto]|].
-      unfold scal; simpl; unfold mult; simpl. ring. }
+    { intros i t. pose proof (DP i). unfold Pt. derive. ring. }
     pose proof (tie_rule m1 m2 a1 a2 b0 _ ut y w1 w2 s 0 d Pt n k Hm1 Hm2 Ha1 Ha2 Hb0 Fo (Rle_refl 0) Hd DU Cu' Meet' Hk) as T.
     rewrite L0, P0 in T. destruct T as (T1 & T2); auto.
     + intros t Ht. unfold ut. rewrite Be. apply EP. lra.

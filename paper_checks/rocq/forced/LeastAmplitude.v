@@ -8,15 +8,9 @@ From InertialPair Require Import Forced Arcs Nonstop NonstopUndamped LeastTimeTr
 Lemma rises f f' p q : p <= q -> (forall t, is_derive f t (f' t)) -> (forall t, p <= t <= q -> 0 <= f' t) -> f p <= f q.
 Proof.
   intros Hp D P. destruct (Req_dec p q) as [->|N]; [lra|].
-  destruct (MVT_cor2 f f' p q) as (c & E & Hc); [lra|intros c Hc; apply is_derive_Reals, D|].
+  destruct (mean_value f f' p q) as (c & Hc & E); [lra|auto|].
   specialize (P c ltac:(lra)). assert (0 <= f' c * (q - p)) by positive. lra.
 Qed.
-
-(** a derivative, by those that are known *)
-Ltac derive := auto_derive; [repeat split; first [match goal with
-      D : forall t, is_derive ?f t _ |- ex_derive (fun x => ?f x) _ => eexists; apply D end | auto; lra]
-  |repeat match goal with D : forall t, is_derive ?f t _ |- context [Derive (fun x => ?f x) ?t] =>
-     rewrite (is_derive_unique (fun x : R => f x) _ _ (D t)) end].
 
 Section Arrival.
 Context (m1 m2 a1 a2 b D : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HD : 0 < D).
@@ -68,12 +62,7 @@ Proof.
 Qed.
 Lemma g_chord t : 0 <= t <= tau -> t * g tau <= tau * g t.
 Proof.
-  intros Ht. destruct (Req_dec t 0) as [->|N0]; [rewrite G0; lra|]. destruct (Req_dec t tau) as [->|N1]; [lra|].
-  destruct (MVT_cor2 g g' 0 t) as (p & E & Hp); [lra|intros r _; apply is_derive_Reals, Dg|].
-  destruct (MVT_cor2 g g' t tau) as (q & E' & Hq); [lra|intros r _; apply is_derive_Reals, Dg|].
-  rewrite G0, !Rminus_0_r in E. pose proof (g'_falls p q ltac:(lra) ltac:(lra)) as F.
-  assert (t * (tau - t) * g' q <= t * (tau - t) * g' p) by scale.
-  replace (g tau) with (g t + g' q * (tau - t)) by lra. rewrite E. nra.
+  intros Ht. apply (chord_below g g'); auto. intros. apply g'_falls; auto.
 Qed.
 (** a unit displacement springs back *)
 Lemma c_below t : 0 <= t <= tau -> c t <= 1.
@@ -89,7 +78,7 @@ Qed.
 Lemma A_above : m1 * be <= A.
 Proof.
   destruct signs as (Tp & Bp & Ap). fold tau in Gt. assert (g tau <= tau / m1).
-  { destruct (MVT_cor2 g g' 0 tau) as (p & E & Hp); [lra|intros r _; apply is_derive_Reals, Dg|].
+  { destruct (mean_value g g' 0 tau Tp Dg) as (p & Hp & E).
     rewrite G0, !Rminus_0_r in E. pose proof (g'_falls 0 p ltac:(lra) ltac:(lra)) as F. rewrite G0' in F. rewrite E.
     replace (tau / m1) with (/ m1 * tau) by (field; lra). scale. }
   unfold A. undivide (g tau).
@@ -141,16 +130,13 @@ Proof.
     ring|].
   split; [apply integral_0|]. destruct (E2 tau ltac:(lra)) as (V2T & W2T). replace (2 * tau) with (tau + tau) by ring.
   split; [|split; [rewrite W2T; ring|auto]]. pose proof (tau_sq m2 b D Hm2 Hb HD) as T2. fold tau be in T2.
-  pose proof (same_gain (integral v2) v2 (fun t => be * t ^ 2 / 2) (fun t => be * t) 0 tau ltac:(continuous) ltac:(lra)
-    ltac:(intros; auto_derive; auto; field) ltac:(intros t Ht; split;
-      [apply integral_rderiv; auto; lra|apply E; lra])) as K1.
-  pose proof (same_gain (integral v2) v2 (fun t => - (be * (2 * tau - t) ^ 2 / 2)) (fun t => be * (2 * tau - t)) tau
-    (tau + tau)
-    ltac:(continuous) ltac:(lra) ltac:(intros; auto_derive; auto; unfold Rminus; field) ltac:(intros t Ht; split;
-      [apply integral_rderiv; auto; lra|destruct (E2 (t - tau) ltac:(lra)) as (_ & Q); replace (tau + (t - tau))
-        with t in Q by ring;
-       rewrite Q; ring])) as K2. cbv beta in K1, K2.
-  rewrite integral_0 in K1. rewrite <- T2. nra.
+  assert (Gain : integral v2 tau + integral v2 (tau + tau) - (integral v2 0 + integral v2 (tau + 0))
+    = be * tau * (tau - 0)).
+  { apply (rderiv_line (fun t => integral v2 t + integral v2 (tau + t))); [continuous|lra|]. intros t Ht.
+    destruct (E t ltac:(lra)) as (_ & _ & Q), (E2 t ltac:(lra)) as (_ & Q').
+    apply rderiv_eq with (v2 t + v2 (tau + t)); [rewrite Q, Q'; ring|].
+    apply rderiv_plus; [|apply rderiv_earlier]; apply integral_rderiv; auto; lra. }
+  rewrite integral_0, Rplus_0_r in Gain. lra.
 Qed.
 
 (** enough: the force pulls in the second half, and body 1 falls behind *)

@@ -65,21 +65,22 @@ Proof.
   assert (Sq : sqrt (be * D) = be * tau).
   { rewrite <- T2. replace (be * (be * (tau * tau))) with ((be * tau) ^ 2) by ring. apply sqrt_pow2. nra. }
   rewrite Sq. assert (HD2 : a2 * D / 2 = a2 * (be * tau ^ 2 / 2)) by (rewrite <- T2; field).
-  assert (M0 : 0 < (m1 + m2) * be) by positive. split.
-  - intros H. split; [|split].
+  assert (M0 : 0 < (m1 + m2) * be) by positive. assert (Cond : a1 ^ 2 * be <= a2 ^ 2 * D <-> a1 <= a2 * tau).
+  { rewrite <- T2. replace (a2 ^ 2 * (be * (tau * tau))) with ((a2 * tau) ^ 2 * be) by ring.
+    assert (0 < a2 * tau) by positive. split; intros Q.
+    - apply sq_le_abs; [lra|]. apply Rmult_le_reg_r with be; auto.
+    - apply Rmult_le_compat_r; [lra|]. apply pow_incr. lra. }
+  rewrite Cond. split.
+  - intros H. assert (HDF : a2 * D <= F).
+    { specialize (H (2 * tau) ltac:(lra)). rewrite force_last in H by lra. apply Rabs_inv in H. lra. }
+    split; [|split; [auto|]].
     + rewrite HD2. set (f := fun t => (m1 + m2) * be + a1 * (be * t) + a2 * (be * t ^ 2 / 2)). change (f tau <= F).
       apply (cont_le f F 0 tau); [|lra|].
       * apply cont_of_derive with (fun t => a1 * be + a2 * (be * t)). intros t. unfold f. auto_derive; auto. field.
       * intros t Ht. specialize (H t ltac:(lra)). rewrite force_first in H by lra. apply Rabs_inv in H. unfold f. lra.
-    + specialize (H (2 * tau) ltac:(lra)). rewrite force_last in H by lra. apply Rabs_inv in H. lra.
-    + intros Little. assert (HDF : a2 * D <= F).
-      { specialize (H (2 * tau) ltac:(lra)). rewrite force_last in H by lra. apply Rabs_inv in H. lra. }
+    + intros Little.
       destruct (Req_dec a1 0) as [Z|N]. { rewrite Z. replace (0 ^ 2 * be / (2 * a2)) with 0 by (field; lra). lra. }
-      assert (R0 : 0 < a1 / a2) by positive. assert (R1 : a1 / a2 <= tau).
-      { undivide a2.
-        apply Rnot_lt_le. intros B. assert (0 < a2 * tau) by nra. assert ((a2 * tau) ^ 2 < a1 ^ 2) by nra.
-          rewrite <- T2 in Little.
-        assert ((a2 * tau) ^ 2 * be < a1 ^ 2 * be) by scale. lra. }
+      assert (R0 : 0 < a1 / a2) by positive. assert (R1 : a1 / a2 <= tau) by (undivide a2; lra).
       specialize (H (2 * tau - a1 / a2) ltac:(lra)). rewrite force_then in H by lra. apply Rabs_inv in H.
       replace (2 * tau - (2 * tau - a1 / a2)) with (a1 / a2) in H by ring.
       replace (a2 * D + a1 ^ 2 * be / (2 * a2) - (m1 + m2) * be)
@@ -88,25 +89,19 @@ Proof.
     destruct (Rlt_dec t tau) as [l|l]; [|destruct (Rlt_dec t (2 * tau)) as [l'|l']].
     + rewrite force_first by lra. assert (0 <= a1 * (be * t)) by positive.
       assert (0 <= a2 * (be * t ^ 2 / 2)) by positive.
-      assert (a1 * (be * t) <= a1 * (be * tau)) by (apply Rmult_le_compat_l; nra).
-      assert (be * t ^ 2 <= be * tau ^ 2) by (apply Rmult_le_compat_l; [lra|apply pow_incr; lra]).
-      assert (a2 * (be * t ^ 2 / 2) <= a2 * (be * tau ^ 2 / 2)) by scale. apply Rabs_le. lra.
+      assert (0 <= be * (tau - t) * (a1 + a2 * ((tau + t) / 2))) by positive. apply Rabs_le. lra.
     + rewrite force_then by lra. set (r := 2 * tau - t). assert (Hr : 0 < r <= tau) by (unfold r; lra).
       assert (A1 : 0 <= a1 * (be * r)) by positive.
       assert (r ^ 2 <= tau * tau) by nra. assert (A2 : 0 <= a2 * (D - be * r ^ 2 / 2)).
       { apply Rmult_le_pos; [lra|]. rewrite <- T2. nra. }
       assert (P1 : 0 <= a1 * (be * tau)) by positive. assert (P2 : 0 <= a2 * (be * tau ^ 2 / 2)) by positive.
-      apply Rabs_le. split; [lra|]. destruct (Rle_dec (a1 ^ 2 * be) (a2 ^ 2 * D)) as [Little|Much].
+      apply Rabs_le. split; [lra|]. destruct (Rle_dec a1 (a2 * tau)) as [Little|Much].
       * specialize (F3 Little). eapply Rle_trans; [|exact F3].
         replace (- ((m1 + m2) * be) + a1 * (be * r) + a2 * (D - be * r ^ 2 / 2))
           with (a2 * D + a1 ^ 2 * be / (2 * a2) - (m1 + m2) * be - be / (2 * a2) * (a1 - a2 * r) ^ 2) by (field; lra).
         assert (0 <= be / (2 * a2) * (a1 - a2 * r) ^ 2); [|lra]. apply Rmult_le_pos; [|positive].
         apply Rlt_le, Rdiv_lt_0_compat; lra.
-      * assert (a2 * tau < a1).
-        { apply Rnot_le_lt. intros B. apply Much. rewrite <- T2.
-          replace (a2 ^ 2 * (be * (tau * tau))) with ((a2 * tau) ^ 2 * be) by ring.
-          apply Rmult_le_compat_r; [lra|]. nra. }
-        eapply Rle_trans; [|exact F1].
+      * eapply Rle_trans; [|exact F1].
         assert (0 <= be * (tau - r) * (a1 - a2 * (tau + r) / 2)). { apply Rmult_le_pos; nra. }
         replace (a2 * (D - be * r ^ 2 / 2)) with (a2 * D - a2 * be * r ^ 2 / 2) by field. rewrite <- T2. nra.
     + rewrite force_last by lra. assert (0 < a2 * D) by positive. apply Rabs_le. lra.
@@ -168,10 +163,8 @@ Proof.
     - intros t Ht. split; [rates|].
       apply rderiv_near with (fun u => m1 * v1 u + b * s u - U u - b * (s 0 + u)) (tau - t); [lra| |rate; ring].
       intros u Hu. rewrite (Es u) by lra. ring.
-    - intros t. auto_derive; [eexists; apply Dg|]. rewrite (is_derive_unique (fun x => g x) _ _ (Dg _)).
-      unfold Rminus. ring.
-    - intros t. auto_derive; [eexists; apply Dg'|]. rewrite (is_derive_unique (fun x => g' x) _ _ (Dg' _)).
-      unfold Rminus. field. lra.
+    - intros t. derive. unfold Rminus. ring.
+    - intros t. derive. unfold Rminus. field. lra.
     - intros t Ht. apply Gp. lra. }
   cut (be * tau / g tau <= F - b); [lra|]. undivide (g tau). auto.
 Qed.

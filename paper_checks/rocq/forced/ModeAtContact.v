@@ -26,14 +26,12 @@ Proof.
   set (e' := M / m2 * e / k). assert (He' : 0 < e') by positive.
   destruct (Cq e' He') as (d1 & D1 & K1). destruct (f_cx _ _ _ _ _ _ _ _ _ _ H t0 Ht0 e' He') as (d2 & D2 & K2).
   destruct (f_cv _ _ _ _ _ _ _ _ _ _ H t0 Ht0 e' He') as (d3 & D3 & K3).
-  exists (Rmin d1 (Rmin d2 d3)). pose proof (Rmin_l d1 (Rmin d2 d3)). pose proof (Rmin_r d1 (Rmin d2 d3)).
-  pose proof (Rmin_l d2 d3). pose proof (Rmin_r d2 d3). split; [repeat apply Rmin_glb_lt; auto|]. intros q Hq Qq Dq.
+  smaller d1 (Rmin d2 d3). intros q Hq Qq Dq.
   specialize (K1 q Qq ltac:(lra)). specialize (K2 q Hq ltac:(lra)). specialize (K3 q Hq ltac:(lra)).
   replace (load q - load t0) with (m2 / M * ((u q - u t0) - a2 * (x q - x t0) - a1 * (v1 q - v1 t0)))
     by (unfold load, M; field; lra).
   replace e with (m2 / M * (k * e')) by (unfold e'; field; unfold k in *; lra).
-  apply abs_scal; [positive|]. apply Rabs_inv in K1. apply Rabs_def2 in K2.
-  apply Rabs_def2 in K3. unfold k. apply Rabs_le. split; nra.
+  apply abs_scal; [positive|]. unfold k. by_sizes.
 Qed.
 Lemma load_after e : 0 < e -> exists d, 0 < d /\ forall q, t0 <= q < t0 + d -> Rabs (load q - load t0) <= e.
 Proof.
@@ -71,10 +69,10 @@ Proof. unfold place. continuous. Qed.
 (** the momentum has the rate of the excess in every mode, and is 0 at the contact *)
 Lemma gain_rate k t : 0 <= t -> rderiv U t (u t) -> rderiv (gain k) t (excess k t).
 Proof.
-  intros Ht HU. apply rderiv_ext with (fun r => k * ((m1 * v1 r + b * s r - U r) + U r + (m2 * v2 0 - b * s 0))
+  intros Ht HU. apply rderiv_ext with (fun r => k * ((m1 * v1 r + m2 * v2 r - U r) + U r)
     - (M * (k * v2 t0) + M * (b / m2) * (r - t0))).
-  - intros r Hr. rewrite <- (f_v2 _ _ _ _ _ _ _ _ _ _ H r) by lra. unfold gain, w, ahead2, M. ring.
-  - rate. unfold excess, beyond, place, lead, M. field. lra.
+  - intros r Hr. unfold gain, w, ahead2, M. ring.
+  - pose proof (momentum _ _ _ _ _ _ _ _ _ _ t H Ht). rate. unfold excess, beyond, place, lead, M. field. lra.
 Qed.
 Lemma cont_gain k : cont (gain k).
 Proof. unfold gain, ahead2. continuous. Qed.
@@ -130,8 +128,7 @@ Lemma not_ahead k : k = 1 \/ k = -1 -> k * load t0 < b -> exists d, 0 < d <= d0 
   k * (v1 t - v2 t) <= 0.
 Proof.
   intros Hk G. destruct (load_after (b - k * load t0)) as (d & Hd & K); [lra|].
-  set (c := Rmin d d0). assert (c <= d) by apply Rmin_l. assert (c <= d0) by apply Rmin_r.
-  assert (Cp : 0 < c) by positive. exists c. split; [lra|]. intros t Ht.
+  exists (Rmin d d0). min_bounds (Rmin d d0). split; [split; [positive|auto]|]. intros t Ht.
   apply (stays_behind k t0 t); [auto|lra|lra|unfold w; rewrite Meet; lra|]. intros r Hr. specialize (K r ltac:(lra)).
   apply Rabs_inv in K. destruct Hk; subst k; lra.
 Qed.
@@ -157,14 +154,11 @@ Let asked g k t := g * (k * (U t - Ut k t - (U t0 - Ut k t0))).
 
 Lemma at_edge k : k = 1 \/ k = -1 -> forced m1 m2 a1 a2 b (Ut k) (xt k) (vt k) (vt k) (fun t => k * t).
 Proof.
-  intros Hk. constructor; try (intros; lra).
+  intros Hk. unfold Ut, xt, vt. constructor; try (intros; lra); try continuous.
   - intros r t Hr. destruct Hk; subst k; apply Rabs_le; lra.
-  - eapply cont_of_derive. intros t. unfold Ut, xt, vt. auto_derive; auto. reflexivity.
-  - eapply cont_of_derive. intros t. unfold xt. auto_derive; auto. reflexivity.
-  - eapply cont_of_derive. intros t. unfold vt. auto_derive; auto. reflexivity.
-  - intros t _. apply rderiv_of_derive. unfold xt, vt. auto_derive; auto. field; lra.
-  - intros t _. apply rderiv_of_derive. unfold Ut, xt, vt. auto_derive; auto. field; lra.
-  - intros t _. unfold vt. field; lra.
+  - intros t _. rate. field; lra.
+  - intros t _. rate. field; lra.
+  - intros t _. field; lra.
 Qed.
 Lemma asked_rate g k t : k = 1 \/ k = -1 -> t0 <= t < t0 + d0 -> rderiv (asked g k) t (g * beyond k t).
 Proof.
@@ -187,20 +181,26 @@ Proof.
       [apply cont_opp, cont_asked; auto|lra|]. intros q Hq. specialize (Sg q ltac:(lra)).
     split; [apply rderiv_opp, asked_rate; auto; lra|lra]. }
   assert (Lead : forall t, t0 <= t <= T -> Rabs (lead k t) <= asked g k T / m1).
-  { intros t Ht. pose proof (sqrt_lt_R0 _ Hm1) as Sm.
-    pose proof (velocity_within m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2 (xt k) (vt k) (vt k) t) as R.
-    pose proof (input_to_state m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ _ H (at_edge k Hk)
-      (fun t => k * beyond k t) (asked g k) t0 t (cont_asked g k Hk) ltac:(lra)) as Q. cbv beta in Q.
+  { intros t Ht. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (at_edge k Hk) as E.
+    pose proof (energy_above m1 m2 a2 Hm1 Hm2 Ha2 (x t - xt k t) (v1 t - vt k t) (v2 t - vt k t)) as R.
+    pose proof (pushed_apart m1 m2 a2 Hm1 Hm2 Ha2 (fun t => x t - xt k t) (fun t => v1 t - vt k t)
+      (fun t => v2 t - vt k t) (fun t => k * beyond k t) (asked g k) t0 t
+        (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H E)
+      (cont_asked g k Hk) ltac:(lra)) as Q. cbv beta zeta in Q.
     replace (energy m1 m2 a2 (x t0 - xt k t0) (v1 t0 - vt k t0) (v2 t0 - vt k t0)) with 0 in Q
       by (unfold energy, xt, vt; rewrite <- Meet; field; lra).
     rewrite Rmult_0_r, sqrt_0, Start, Rminus_0_r, Rplus_0_l in Q.
     replace (Rabs (lead k t)) with (Rabs (v1 t - vt k t)).
     2: { rewrite <- (Rabs_sign k) by auto. f_equal. unfold lead, vt. destruct Hk; subst k; ring. }
     apply Rmult_le_reg_l with (sqrt m1); auto. eapply Rle_trans; [exact R|]. eapply Rle_trans; [apply Q|].
-    - intros r Hr. specialize (Sg r ltac:(lra)). split.
-      + unfold Ut, xt, vt. rate. unfold beyond. destruct Hk; subst k; field; lra.
+    - intros r Hr. specialize (Sg r ltac:(lra)).
+      assert (DD : rderiv (fun t => U t - Ut k t) r (k * beyond k r)).
+      { unfold Ut, xt, vt. rate. unfold beyond, vt, xt. destruct Hk; subst k; field; lra. }
+      split; [|eapply dini_weaken; [|exact
+        (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H E r _ ltac:(lra) DD)]].
       + apply rderiv_eq with (g * beyond k r); [|apply asked_rate; auto; lra]. symmetry.
         destruct Hk, Hg; subst k g; try rewrite Rabs_pos_eq by lra; try rewrite Rabs_left1 by lra; lra.
+      + assert (0 <= a1 * (v1 r - vt k r) ^ 2) by positive. lra.
     - rewrite <- (sqrt_sqrt m1) at 3 by lra. apply Rmult_le_reg_r with (sqrt m1); auto. field_simplify; [|lra|lra].
       apply Up; lra. }
   split; [intros t Ht; rewrite <- Start; split; apply Up; lra|]. intros t Ht. specialize (Lead t Ht) as L1.
@@ -211,7 +211,7 @@ Proof.
     - pose proof (Rabs_pos (lead k t)). nra. }
   replace (excess k t - beyond k t) with (- (a1 * lead k t + a2 * place k t)) by (unfold excess; ring).
   replace ((a1 + a2) / m1 * asked g k T) with (a1 * (asked g k T / m1) + a2 * (asked g k T / m1)) by (field; lra).
-  apply Rabs_inv in L1. apply Rabs_inv in L2. apply Rabs_le. split; nra.
+  by_sizes.
 Qed.
 Lemma beyond_0 k : k * load t0 = b -> beyond k t0 = 0.
 Proof.
@@ -294,8 +294,7 @@ Lemma sign_stays g : g = 1 \/ g = -1 -> 0 < g * P n t0 -> exists d, 0 < d <= d0 
 Proof.
   intros Hg Pn. assert (C : cont (fun t => g * P n t)).
   { apply cont_of_derive with (fun t => g * P (S n) t). intros t. apply is_derive_scal, DP. }
-  destruct (C t0 Ht0 (g * P n t0) Pn) as (d & Hd & K). exists (Rmin d d0). pose proof (Rmin_l d d0).
-    pose proof (Rmin_r d d0).
+  destruct (C t0 Ht0 (g * P n t0) Pn) as (d & Hd & K). exists (Rmin d d0). min_bounds (Rmin d d0).
   split; [split; [positive|auto]|]. intros t Ht. specialize (K t ltac:(lra)).
   rewrite Rabs_pos_eq in K by lra. specialize (K ltac:(lra)). apply Rabs_def2 in K. lra.
 Qed.

@@ -38,9 +38,9 @@ Lemma ends_nonneg f p q : cont f -> 0 <= p < q -> (forall t, p < t < q -> 0 < f 
 Proof.
   intros C Hp P. split.
   - apply Rnot_lt_le. intros N. destruct (C p ltac:(lra) (- f p)) as (d & Hd & K); [lra|].
-    set (h := Rmin (d / 2) ((q - p) / 2)). assert (h <= d / 2) by apply Rmin_l. assert (h <= (q - p) / 2) by apply Rmin_r.
-    assert (0 < h) by positive. specialize (P (p + h) ltac:(lra)).
-    specialize (K (p + h) ltac:(lra) ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in K. lra.
+    set (h := Rmin (d / 2) ((q - p) / 2)). least h. assert (0 < h) by positive.
+    specialize (P (p + h) ltac:(lra)). specialize (K (p + h) ltac:(lra) ltac:(apply Rabs_def1; lra)).
+    apply Rabs_def2 in K. lra.
   - assert (-1 * f q <= 0); [|lra]. apply (cont_le (fun t => -1 * f t) 0 ((p + q) / 2) q); [apply cont_scal, C|lra|].
     intros t Ht. specialize (P t ltac:(lra)). lra.
 Qed.
@@ -55,10 +55,9 @@ Proof.
   intros H Hp P t Ht. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
   pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cs. destruct (Req_dec t p) as [->|N]; [ring|]. apply Rle_antisym.
   - pose proof (L p t ltac:(lra)) as B. apply Rabs_inv in B. lra.
-  - apply le_epsilon. intros e He. set (r := Rmin (p + e / 2) t). assert (p < r) by (apply Rmin_glb_lt; lra).
-    assert (r <= p + e / 2) by apply Rmin_l. assert (r <= t) by apply Rmin_r.
-    pose proof (L p r ltac:(lra)) as B. apply Rabs_inv in B.
-    assert (s t - s r = 1 * (t - r)); [|lra]. apply (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H _ _ _); auto; [lra|].
+  - apply le_epsilon. intros e He. destruct (ends_nonneg (fun r => s t - s r - (t - r) + e) p t) as (A & _);
+      [continuous|lra| |lra].
+    intros r Hr. rewrite (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H r t 1); auto; [lra|lra|].
     intros u Hu. specialize (P u ltac:(lra)). lra.
 Qed.
 
@@ -75,44 +74,10 @@ Proof.
   { eapply rderiv_eq; [|apply rderiv_scal, (moves_rate m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H p u 1 ltac:(lra) DU Ds)].
     unfold l. field; lra. }
   apply Rnot_lt_le. intros N. assert (Nl : l < 0) by (unfold l; lra).
-  destruct (Rw (- l / 2)) as (d & Hd & Q); [lra|]. set (h := Rmin (d / 2) ((q - p) / 2)).
-    assert (h <= d / 2) by apply Rmin_l.
-  assert (h <= (q - p) / 2) by apply Rmin_r. assert (0 < h) by positive.
+  destruct (Rw (- l / 2)) as (d & Hd & Q); [lra|]. set (h := Rmin (d / 2) ((q - p) / 2)). least h.
+  assert (0 < h) by positive.
   specialize (Q h ltac:(lra)). apply Rabs_inv in Q. rewrite Meet in Q. specialize (Slip (p + h) ltac:(lra)).
   assert (0 < m1 * (v1 (p + h) - v2 (p + h))) by positive. assert (l * h < 0) by nra. lra.
-Qed.
-
-(** An oscillator without damping under a constant push f, whose state changes sign over T: tested with the cosine and
-    the sine about the middle. *)
-Lemma sign_change m a f y y' T : 0 < m -> 0 < a -> 0 < T -> cont y -> cont y' ->
-  (forall t, 0 <= t < T -> rderiv y t (y' t)) -> (forall t, 0 <= t < T -> rderiv (fun u => m * y' u) t (f - a * y t)) ->
-  y T = - y 0 -> y' T = - y' 0 -> let o := sqrt (a / m) in
-  - m * y' 0 * cos (o * (T / 2)) = f / o * sin (o * (T / 2)) /\ y 0 * cos (o * (T / 2)) = 0.
-Proof.
-  intros Hm Ha HT C C' D D' E E' o. assert (Ho : 0 < o) by positive.
-  assert (O2 : m * (o * o) = a). { unfold o. rewrite sqrt_sqrt by positive. field; lra. }
-  assert (Z1 : - (o * (T / 2)) = o * (0 - T / 2)) by field. assert (Z2 : o * (T / 2) = o * (T - T / 2)) by field.
-  set (co := fun t => cos (o * (t - T / 2))). set (si := fun t => sin (o * (t - T / 2))).
-  assert (Dco : forall t, is_derive co t (- o * si t)) by (intros t; unfold co, si; auto_derive; auto; unfold Rminus;
-    ring).
-  assert (Dsi : forall t, is_derive si t (o * co t)) by (intros t; unfold co, si; auto_derive; auto; unfold Rminus;
-    ring).
-  assert (Cco : cont co) by exact (cont_of_derive _ _ Dco). assert (Csi : cont si) by exact (cont_of_derive _ _ Dsi).
-  assert (V0 : co 0 = cos (o * (T / 2)) /\ si 0 = - sin (o * (T / 2))).
-  { unfold co, si. rewrite <- Z1, cos_neg, sin_neg. auto. }
-  assert (VT : co T = cos (o * (T / 2)) /\ si T = sin (o * (T / 2))) by (unfold co, si; rewrite <- Z2; auto).
-  destruct V0 as (P0 & Q0), VT as (PT & QT). rewrite <- PT, <- QT in *. clear Z1 Z2. clearbody co si.
-  assert (K1 : m * y' T * co T + m * o * (y T * si T) - f / o * si T = m * y' 0 * co 0 + m * o * (y 0 * si 0) - f / o
-    * si 0).
-  { apply (rderiv_0 (fun t => m * y' t * co t + m * o * (y t * si t) - f / o * si t) 0 T); [continuous|lra|].
-    intros t Ht. rate. rewrite <- O2. field; lra. }
-  assert (K2 : m * y' T * si T - m * o * (y T * co T) + f / o * co T = m * y' 0 * si 0 - m * o * (y 0 * co 0) + f / o
-    * co 0).
-  { apply (rderiv_0 (fun t => m * y' t * si t - m * o * (y t * co t) + f / o * co t) 0 T); [continuous|lra|].
-    intros t Ht. rate. rewrite <- O2. field; lra. }
-  rewrite P0, Q0, E, E' in *. split.
-  - replace (- m * y' 0 * co T) with (/ 2 * (m * - y' 0 * co T - m * y' 0 * co T)) by field. lra.
-  - apply Rmult_eq_reg_l with (2 * (m * o)); [|apply Rgt_not_eq; nra]. lra.
 Qed.
 
 Section Nonstop.
@@ -135,15 +100,46 @@ Definition nonstop F phi x v1 v2 s := forced m1 m2 a1 a2 b (wave F om phi) x v1 
   (forall t, 0 < t < PI / om -> v2 t < v1 t) /\
   forall t, 0 <= t -> x (PI / om + t) = - x t /\ v1 (PI / om + t) = - v1 t /\ v2 (PI / om + t) = - v2 t.
 
+Let T := PI / om.
+Lemma half_pos : 0 < T.
+Proof. pose proof PI_RGT_0. positive. Qed.
+
+(** an arc that slips forwards, and whose state changes its sign over half a period, is the half of one *)
+Lemma nonstop_arc F phi X V1 V2 :
+  forced_arc m1 m2 a1 a2 b T (fun t => F * sin (om * t + phi)) X V1 V2 (fun _ => 1) ->
+  (forall t, 0 < t < T -> V2 t < V1 t) -> X T = - X 0 -> V1 T = - V1 0 -> V2 T = - V2 0 -> exists x v1 v2 s,
+  nonstop F phi x v1 v2 s /\ forall t, 0 <= t <= T -> x t = X t /\ v1 t = V1 t /\ v2 t = V2 t.
+Proof.
+  intros Arc Ahead EX E1 E2. pose proof half_pos as HT.
+  destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) _ X V1 V2 _ T ltac:(lra)
+    (cont_wave F om phi Hom) (fun t _ => rderiv_wave F om phi t Hom) Arc) as (x & v1 & v2 & s & H & E).
+  exists x, v1, v2, s. split; [split; [auto|split]|auto].
+  - intros t Ht. fold T in Ht. destruct (E t ltac:(lra)) as (_ & -> & ->). auto.
+  - destruct (E 0 ltac:(lra)) as (X0 & V10 & V20), (E T ltac:(lra)) as (XT & V1T & V2T).
+    apply (antiperiodic m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) x v1 v2 s T); auto; try congruence.
+    { lra. }
+    intros t _. apply wave_half; auto.
+Qed.
+
 Variables k k' : R -> R.
 Hypotheses (Dk : forall t, is_derive k t (k' t)) (Dk' : forall t, is_derive k' t ((1 - a1 * k' t - a2 * k t) / m1))
   (Ek : k (PI / om) = - k 0) (Ek' : k' (PI / om) = - k' 0) (HZ : 0 < Z1) (Hl : 0 < leave (k 0) (k' 0)).
-Let T := PI / om.
 
-Lemma half_pos : 0 < T.
-Proof. apply Rdiv_lt_0_compat; [apply PI_RGT_0|auto]. Qed.
 Lemma turn_0 : om * turn (k' 0) - b * k' 0 = - (b / m2 * (T / 2)).
 Proof. unfold turn, T. field; lra. Qed.
+
+(** after the turn body 1 is driven on: its velocity swings freely, and the energy of that does not grow *)
+Lemma leaves : 0 < leave (k 0) (k' 0).
+Proof.
+  pose proof half_pos. set (y := fun t => 1 - a1 * k' t - a2 * k t).
+  assert (Le : a2 * m1 * k' T ^ 2 + y T ^ 2 <= a2 * m1 * k' 0 ^ 2 + y 0 ^ 2).
+  { apply (rderiv_mono (fun t => a2 * m1 * k' t ^ 2 + y t ^ 2) 0 T (fun t => - (2 * a1 / m1 * y t ^ 2)));
+      [continuous|lra|].
+    intros t _. split; [rate; unfold y; field; lra|]. assert (0 <= 2 * a1 / m1 * y t ^ 2) by positive. lra. }
+  unfold y, T in Le. rewrite Ek, Ek' in Le. unfold leave. assert (0 < m1 / m2) by positive.
+  replace ((m1 + m2) / m2) with (1 + m1 / m2) by (field; lra). apply Rdiv_lt_0_compat; [|positive].
+  apply Rmult_lt_0_compat; lra.
+Qed.
 
 (** enough: the response with that phase is an arc that obeys the law *)
 Theorem nonstop_exists F : Fslip (k 0) (k' 0) <= F -> (forall t, 0 < t < T -> 0 < slipping k' (leave (k 0) (k' 0)) t) ->
@@ -176,45 +172,34 @@ Proof.
     unfold V1, V2. replace (PI / (2 * om)) with (T / 2) in Sl by (unfold T; field; lra). nra. }
   assert (Arc : forced_arc m1 m2 a1 a2 b T (fun t => F * sin (om * t + phi)) X V1 V2 (fun _ => 1)).
   { apply slip_arc; auto.
-    - intros t. unfold X, V1. auto_derive; [exists (k' t); apply Dk|].
-      rewrite (is_derive_unique (fun x : R => k x) _ _ (Dk t)). ring.
-    - intros t. rewrite Eu. unfold X, V1. auto_derive; [eexists; apply Dk'|].
-      rewrite (is_derive_unique (fun x : R => k' x) _ _ (Dk' t)). unfold S, C. field; lra.
+    - intros t. unfold X, V1. derive. ring.
+    - intros t. rewrite Eu. unfold X, V1. derive. unfold S, C. field; lra.
     - intros t. unfold V2. auto_derive; auto. field; lra.
     - intros t Ht. destruct (Req_dec t 0) as [->|N]; [|specialize (Ahead t ltac:(lra)); lra].
       unfold V1, V2. rewrite Rmult_0_r, cos_0, sin_0. pose proof turn_0. fold A in H. lra. }
-  destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) _ X V1 V2 _ T ltac:(lra) (cont_wave F om phi
-    Hom) (fun t _ => rderiv_wave F om phi t Hom) Arc) as (x & v1 & v2 & s & H & E).
-  exists phi, x, v1, v2, s. destruct (E 0 ltac:(lra)) as (X0 & V10 & V20).
-    destruct (E T ltac:(lra)) as (XT & V1T & V2T).
-  split; [auto|]. split.
-  - intros t Ht. fold T in Ht. destruct (E t ltac:(lra)) as (_ & -> & ->). auto.
-  - apply (antiperiodic m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) x v1 v2 s T ltac:(lra)); auto.
-    + intros t _. apply wave_half; auto.
-    + rewrite XT, X0. unfold X. rewrite OT, Rmult_0_r, cos_0, sin_0, cos_PI, sin_PI. unfold T. rewrite Ek. ring.
-    + rewrite V1T, V10. unfold V1. rewrite OT, Rmult_0_r, cos_0, sin_0, cos_PI, sin_PI. unfold T. rewrite Ek'. ring.
-    + rewrite V2T, V20. unfold V2. field; lra.
+  destruct (nonstop_arc F phi X V1 V2 Arc Ahead) as (x & v1 & v2 & s & H & _);
+    [| | |exists phi, x, v1, v2, s; auto].
+  - unfold X. rewrite OT, Rmult_0_r, cos_0, sin_0, cos_PI, sin_PI. unfold T. rewrite Ek. ring.
+  - unfold V1. rewrite OT, Rmult_0_r, cos_0, sin_0, cos_PI, sin_PI. unfold T. rewrite Ek'. ring.
+  - unfold V2. field; lra.
 Qed.
 
-(** a free response whose state changes sign over half a period is none: damping would take energy;
-  without it k would not be *)
+(** a free response whose state changes sign over half a period is none: damping would take energy; without
+    it two products with k do not change, and say so *)
 Lemma no_free_response z z' : cont z -> cont z' -> (forall t, 0 <= t < T -> rderiv z t (z' t)) ->
   (forall t, 0 <= t < T -> rderiv (fun u => m1 * z' u) t (- (a2 * z t + a1 * z' t))) -> z T = - z 0 -> z' T = - z' 0 ->
   z 0 = 0 /\ z' 0 = 0.
 Proof.
   intros C C' D D' E E'. pose proof half_pos as HT. destruct (Req_dec a1 0) as [Z0|N].
-  - destruct (sign_change m1 a2 0 z z' T) as (A & B); auto.
-    { intros t Ht. eapply rderiv_eq; [|apply D'; auto]. rewrite Z0. ring. }
-    destruct (sign_change m1 a2 1 k k' T) as (Ak & _); auto.
-    { exact (cont_of_derive k _ Dk). } { exact (cont_of_derive k' _ Dk'). }
-    { intros t Ht. apply rderiv_of_derive, Dk. }
-    { intros t Ht. eapply rderiv_eq; [|apply rderiv_scal, rderiv_of_derive, Dk']. rewrite Z0. field; lra. }
-    set (o := sqrt (a2 / m1)) in *. assert (Ho : 0 < o) by positive. assert (Nc : cos (o * (T / 2)) <> 0).
-    { intros Z. rewrite Z in Ak. pose proof (sin2_cos2 (o * (T / 2))) as SC. rewrite Z in SC. unfold Rsqr in SC.
-      assert (sin (o * (T / 2)) = 0) as Zs; [|rewrite Zs in SC; lra].
-      apply Rmult_eq_reg_l with (1 / o); [lra|]. apply Rgt_not_eq, Rdiv_lt_0_compat; lra. }
-    split; apply Rmult_eq_reg_r with (cos (o * (T / 2))); auto; [lra|].
-    apply Rmult_eq_reg_l with (- m1); [|lra]. rewrite <- Rmult_assoc, A. unfold Rdiv. ring.
+  - assert (K1 : a2 * (m1 * z' T * k T) - a2 * m1 * (z T * k' T) - m1 * z' T
+      = a2 * (m1 * z' 0 * k 0) - a2 * m1 * (z 0 * k' 0) - m1 * z' 0).
+    { apply (rderiv_0 (fun t => a2 * (m1 * z' t * k t) - a2 * m1 * (z t * k' t) - m1 * z' t) 0 T);
+        [continuous|lra|].
+      intros t Ht. rate. rewrite Z0. field. lra. }
+    assert (K2 : m1 * z' T * k' T + a2 * (z T * k T) - z T = m1 * z' 0 * k' 0 + a2 * (z 0 * k 0) - z 0).
+    { apply (rderiv_0 (fun t => m1 * z' t * k' t + a2 * (z t * k t) - z t) 0 T); [continuous|lra|].
+      intros t Ht. rate. rewrite Z0. field. lra. }
+    fold T in Ek, Ek'. rewrite E, E', Ek, Ek' in K1, K2. split; [lra|]. apply Rmult_eq_reg_l with m1; lra.
   - set (e := fun t => a2 / 2 * (z t * z t) + / (2 * m1) * (m1 * z' t * (m1 * z' t))).
     assert (Ce : cont e) by continuous. assert (De : forall t, 0 <= t < T -> rderiv e t (- a1 * (z' t) ^ 2)).
     { intros t Ht. unfold e. rate. field; lra. }
@@ -257,11 +242,9 @@ Proof.
   set (X := fun t => A * sin (om * t) + B * cos (om * t) - b * k t).
   set (V := fun t => om * (A * cos (om * t) - B * sin (om * t)) - b * k' t).
   assert (DX : forall t, is_derive X t (V t)).
-  { intros t. unfold X, V. auto_derive; [exists (k' t); apply Dk|].
-    rewrite (is_derive_unique (fun x : R => k x) _ _ (Dk t)). ring. }
+  { intros t. unfold X, V. derive. ring. }
   assert (DV : forall t, is_derive V t ((F * sin (om * t + phi) - a2 * X t - a1 * V t - b) / m1)).
-  { intros t. rewrite sin_plus. unfold X, V. auto_derive; [eexists; apply Dk'|].
-    rewrite (is_derive_unique (fun x : R => k' x) _ _ (Dk' t)).
+  { intros t. rewrite sin_plus. unfold X, V. derive.
     replace (F * (sin (om * t) * cos phi + cos (om * t) * sin phi)) with (S * sin (om * t) + C * cos (om * t))
       by (unfold S, C; ring). rewrite ES, EC. field; lra. }
   assert (OT : om * T = PI) by (unfold T; field; lra).

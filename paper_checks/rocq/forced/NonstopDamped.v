@@ -4,26 +4,6 @@ From InertialPair Require Import Waves Dini Pair Stick Pursuit Forced ForcedExis
   Nonstop.
 From InertialPair Require Import NonstopUndamped.
 
-(** z <= sinh z and 1 < cosh z for z > 0 *)
-Lemma sinh_above z : 0 < z -> z < sinh z.
-Proof.
-  intros Hz. assert (E : forall y, 0 < y -> 1 < cosh y).
-  { intros y Hy. pose proof cosh_0 as C0. rewrite <- C0. apply (grows cosh sinh); auto.
-    - intros t _. apply is_derive_Reals, derivable_pt_lim_cosh.
-    - intros t Ht. rewrite <- sinh_0. apply sinh_lt; lra. }
-  cut (0 < sinh z - z); [lra|]. replace 0 with (sinh 0 - 0) by (rewrite sinh_0; ring).
-  apply (grows (fun t => sinh t - t) (fun t => cosh t - 1)); auto.
-  - intros t _. unfold sinh, cosh. auto_derive; auto. field.
-  - intros t Ht. specialize (E t ltac:(lra)). lra.
-Qed.
-
-(** the size of a sine *)
-Lemma sine_below z : 0 < z -> - z < sin z < z.
-Proof.
-  intros Hz. pose proof (SIN_bound z). pose proof PI2_1. split; [|apply sin_lt_x; auto].
-  destruct (Rle_dec z 1); [|lra]. assert (0 < sin z); [apply sin_gt_0; lra|lra].
-Qed.
-
 Section Damped.
 Context (m1 m2 a1 a2 b om : R) (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
 Hypothesis Hosc : a1 ^ 2 < 4 * m1 * a2.
@@ -73,12 +53,10 @@ Lemma T_pos : 0 < T.
 Proof. apply Rdiv_lt_0_compat; [apply PI_RGT_0|auto]. Qed.
 Lemma weight_pos : 0 < weight.
 Proof.
-  unfold weight. pose proof la_pos. pose proof T_pos. assert (0 < la * T) by nra. pose proof (sinh_above _ H1) as S.
-  pose proof (COS_bound (od * T)). unfold la, T, od in *.
-  set (z := fade m1 a1 * (PI / om)) in *. pose proof (exp_pos (- z)). unfold sinh, cosh in *.
-    pose proof (exp_ineq1 z ltac:(lra)).
+  pose proof (Rmult_lt_0_compat _ _ la_pos T_pos). pose proof (COS_bound (od * T)). unfold weight, cosh.
+  fold la od T. set (z := la * T) in *. pose proof (exp_pos (- z)). pose proof (exp_ineq1 z ltac:(lra)).
   assert (exp z * exp (- z) = 1) by (rewrite <- exp_plus, Rplus_opp_r, exp_0; auto).
-  assert (1 < (exp z + exp (- z)) / 2); [|lra]. assert (0 < (exp z - 1) ^ 2) by positive. nra.
+  assert (0 < (exp z - 1) ^ 2) by positive. assert (1 < (exp z + exp (- z)) / 2) by nra. lra.
 Qed.
 
 Lemma derive_swing t : is_derive damped_swing t (damped_swing' t).
@@ -90,15 +68,6 @@ Proof.
     repeat split; try lra. nra.
 Qed.
 
-(** the exponential by hyperbolic functions *)
-Lemma exp_half : exp (- (la * T)) = cosh (la * T) - sinh (la * T).
-Proof. unfold cosh, sinh. field. Qed.
-(** the unit hyperbola *)
-Lemma cosh_sinh z : cosh z * cosh z - sinh z * sinh z = 1.
-Proof.
-  unfold cosh, sinh. transitivity (exp z * exp (- z)); [field|]. rewrite <- exp_plus, Rplus_opp_r, exp_0. auto.
-Qed.
-
 Lemma swing_0 : damped_swing 0 = h.
 Proof. unfold damped_swing. rewrite !Rmult_0_r, Ropp_0, exp_0, cos_0, sin_0. unfold P. field; lra. Qed.
 Lemma swing'_0 : damped_swing' 0 = h'.
@@ -107,41 +76,17 @@ Proof. unfold damped_swing'. rewrite !Rmult_0_r, Ropp_0, exp_0, cos_0, sin_0. fi
 Lemma swing_T : damped_swing T = - h /\ damped_swing' T = - h'.
 Proof.
   pose proof od_pos as O. pose proof weight_pos as W. pose proof od_sq as E.
-  assert (W1 : weight = cosh (la * T) + cos (od * T)) by reflexivity.
-  assert (E1 : a2 * h = - (sinh (la * T) - la / od * sin (od * T)) / weight) by (unfold h, turn_place; fold la od T;
-    field; lra).
-  assert (E2 : a2 * h' = - (od * od + la * la) / od * sin (od * T) / weight) by (rewrite <- E; unfold h', turn_speed;
-    fold la od T; field; lra).
-  pose proof (cosh_sinh (la * T)) as CH. pose proof (sin2_cos2 (od * T)) as SC. unfold Rsqr in SC.
-  assert (K : (cosh (la * T) - sinh (la * T)) * (P * cos (od * T) + Q * sin (od * T)) = 1 + a2 * h).
-  { unfold Q, P. rewrite E1, E2. set (c := cos (od * T)) in *. set (n := sin (od * T)) in *.
-    set (ch := cosh (la * T)) in *. set (sh := sinh (la * T)) in *. apply Rmult_eq_reg_r with weight; [|lra].
-    transitivity ((ch - sh) * ((ch + sh) * (c + la / od * n) + (n * n + c * c))).
-    - rewrite W1. field. rewrite <- W1. lra.
-    - rewrite SC. transitivity ((ch * ch - sh * sh) * (c + la / od * n) + ch - sh); [ring|]. rewrite CH.
-      rewrite W1. field. rewrite <- W1. lra. }
-  assert (K' : (cosh (la * T) - sinh (la * T)) * (a2 * h' * cos (od * T) + (la * Q + od * P) * sin (od * T)) = - (a2 *
-    h')).
-  { unfold Q, P. rewrite E1, E2. set (c := cos (od * T)) in *. set (n := sin (od * T)) in *.
-    set (ch := cosh (la * T)) in *. set (sh := sinh (la * T)) in *. apply Rmult_eq_reg_r with weight; [|lra].
-    transitivity ((od * od + la * la) / od * n * ((ch - sh) * (ch + sh))).
-    - rewrite W1. field. rewrite <- W1. lra.
-    - replace ((ch - sh) * (ch + sh)) with (ch * ch - sh * sh) by ring. rewrite CH. field. lra. }
-  unfold damped_swing, damped_swing'. rewrite exp_half. split.
-  - rewrite K. field; lra.
-  - rewrite Rmult_assoc, K'. field; lra.
-Qed.
-
-(** at the turn the swing asks nothing of the friction: a2 h + a1 h' <= 0 *)
-Lemma turn_load : a2 * h + a1 * h' <= 0.
-Proof.
-  pose proof od_pos as O. pose proof weight_pos as W. pose proof la_pos as L. pose proof T_pos as HT.
-  replace (a2 * h + a1 * h') with (- ((sinh (la * T) + la / od * sin (od * T)) / weight))
-    by (rewrite <- la_m; unfold h, h', turn_place, turn_speed; fold la od T; field; lra).
-  assert (0 <= (sinh (la * T) + la / od * sin (od * T)) / weight); [|lra]. apply Rmult_le_pos; [|positive].
-  pose proof (sinh_above (la * T) ltac:(nra)) as S. pose proof (sine_below (od * T) ltac:(nra)) as (B & _).
-  assert (la / od * - (od * T) < la / od * sin (od * T)) by scale.
-  replace (la / od * - (od * T)) with (- (la * T)) in H by (field; lra). lra.
+  pose proof (exp_pos (- (la * T))). pose proof (sin2_cos2 (od * T)) as SC. unfold Rsqr in SC.
+  assert (S2 : sin (od * T) ^ 2 = 1 - cos (od * T) ^ 2) by lra.
+  unfold damped_swing, damped_swing', Q, P, h, h', turn_place, turn_speed, weight, cosh, sinh in W |- *.
+  fold la od T in W |- *.
+  replace (exp (la * T)) with (/ exp (- (la * T))) in W |- * by
+    (rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos).
+  set (e := exp (- (la * T))) in *. set (c := cos (od * T)) in *. set (n := sin (od * T)) in *.
+  assert (N : 0 < 1 + 2 * e * c + e ^ 2).
+  { replace (1 + 2 * e * c + e ^ 2) with (2 * e * ((/ e + e) / 2 + c)) by (field; lra). positive. }
+  clearbody e c n. set (o := od) in *. set (l := la) in *. clearbody o l. rewrite <- E.
+  split; (field [S2]; repeat split; try lra; nra).
 Qed.
 
 (** U** = b/(G om) sqrt ((pi/(2 m2 om) - h')^2 + ((M/m2 - a2 h - a1 h')/(m1 om))^2), 1/G = |a2 - m1 om^2 + i a1 om| *)
@@ -171,9 +116,8 @@ Proof.
   - fold T. rewrite E, swing_0. auto.
   - fold T. rewrite E', swing'_0. auto.
   - unfold Z1. assert (0 < (a1 * om) ^ 2) by positive. pose proof (pow2_ge_0 (a2 - m1 * om ^ 2)). lra.
-  - rewrite swing_0, swing'_0. unfold leave. apply Rdiv_lt_0_compat; [|positive].
-    apply Rmult_lt_0_compat; auto. pose proof turn_load. assert (0 < (m1 + m2) / m2) by positive.
-      lra.
+  - apply leaves; auto using derive_swing, derive_swing'; [lra|fold T..];
+      rewrite ?E, ?E', ?swing_0, ?swing'_0; auto.
   - rewrite swing_0, swing'_0. auto.
 Qed.
 End Damped.

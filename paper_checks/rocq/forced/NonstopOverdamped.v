@@ -46,29 +46,6 @@ Proof.
   pose proof (exp_pos (slow * T)). pose proof (exp_pos (fast * T)). split; field; repeat split; lra.
 Qed.
 
-(** after the turn body 1 is driven on *)
-Lemma creep_leaves : 0 < leave m1 m2 a1 a2 b om (creep 0) (creep' 0).
-Proof.
-  destruct rates as (Or & E1 & E2). unfold leave. apply Rdiv_lt_0_compat; [|positive].
-  apply Rmult_lt_0_compat; auto. unfold creep, creep'. rewrite !Rmult_0_r, exp_0, !Rmult_1_r.
-  set (c := part slow fast). set (d := part fast slow). assert (Q : 0 < c * slow ^ 2 + d * fast ^ 2).
-  { unfold c, d, part. fold T. pose proof (exp_pos (slow * T)) as P1. pose proof (exp_pos (fast * T)) as P2.
-    assert (Le : exp (fast * T) < exp (slow * T)).
-    { apply exp_increasing. apply Rmult_lt_compat_r; [|lra]. apply Rdiv_lt_0_compat; [apply PI_RGT_0|auto]. }
-    set (e := exp (slow * T)) in *. set (f := exp (fast * T)) in *.
-    replace (2 * fast / (a2 * (slow - fast) * (1 + e)) * slow ^ 2 + 2 * slow / (a2 * (fast - slow) * (1 + f)) * fast ^
-      2) with
-      (2 * (slow * fast) * (slow * (1 + f) - fast * (1 + e)) / (a2 * (slow - fast) * (1 + e) * (1 + f))) by (field;
-        repeat split; lra).
-    assert (0 < slow * fast) by nra. assert (0 < slow * (1 + f) - fast * (1 + e)) by nra.
-    apply Rdiv_lt_0_compat; [nra|]. repeat apply Rmult_lt_0_compat; lra. }
-  replace ((m1 + m2) / m2 - a2 * (1 / a2 + c + d) - a1 * (c * slow + d * fast)) with
-    (m1 / m2 - c * (a1 * slow + a2) - d * (a1 * fast + a2)) by (field; lra).
-  assert (0 < m1 / m2) by positive. assert (0 < m1 * (c * slow ^ 2 + d * fast ^ 2)) by positive.
-  replace (a1 * slow + a2) with (- (m1 * slow ^ 2)) by lra. replace (a1 * fast + a2) with (- (m1 * fast ^ 2)) by lra.
-    lra.
-Qed.
-
 (** [nonstop-overdamped] $a_1^2>4m_1a_2$: the theorem nonstop-iff with $U_{**}$ in closed form, by two exponentials.
     *)
 Theorem overdamped_iff F : 0 <= F -> (forall t, 0 < t < PI / om -> 0 < slipping m2 b om creep'
@@ -79,6 +56,6 @@ Proof.
   apply (nonstop_iff m1 m2 a1 a2 b om Hm1 Hm2 (Rlt_le _ _ Ha1) Ha2 Hb Hom creep creep' derive_creep derive_creep');
     auto.
   - unfold Z1. assert (0 < (a1 * om) ^ 2) by positive. pose proof (pow2_ge_0 (a2 - m1 * om ^ 2)). lra.
-  - exact creep_leaves.
+  - apply leaves; auto using derive_creep, derive_creep'. lra.
 Qed.
 End Overdamped.

@@ -1,28 +1,29 @@
 (** U** without damping. The motion that slips for ever has a closed threshold, and above body 1's resonance the
     relative velocity keeps its sign by itself, so that the threshold decides alone. *)
-From InertialPair Require Import Dini Nonstop.
+From InertialPair Require Import Dini Forced Nonstop.
 
 (** an increasing function, by its derivative inside *)
 Lemma grows f f' p q : p < q -> (forall t, p <= t <= q -> is_derive f t (f' t)) -> (forall t, p < t < q ->
   0 < f' t) -> f p < f q.
 Proof.
-  intros Hp D P. destruct (MVT_cor2 f f' p q Hp) as (c & E & Hc). { intros c Hc. apply is_derive_Reals, D; auto. }
+  intros Hp D P. destruct (MVT_cor2 f f' p q Hp) as (c & E & Hc); [intros; apply is_derive_Reals, D; auto|].
   specialize (P c Hc). assert (0 < f' c * (q - p)) by positive. lra.
 Qed.
 
-(** the chord of the sine lies below it *)
+(** the chord from 0 lies below a concave function, such as the sine *)
+Lemma chord_below f f' y z : f 0 = 0 -> (forall t, is_derive f t (f' t)) ->
+  (forall p q, 0 <= p <= q -> q <= z -> f' q <= f' p) -> 0 <= y <= z -> y * f z <= z * f y.
+Proof.
+  intros F0 D Falls Hy. destruct (Req_dec y 0) as [->|N0]; [rewrite F0; lra|].
+  destruct (Req_dec y z) as [->|N1]; [lra|]. destruct (mean_value f f' 0 y ltac:(lra) D) as (p & Hp & E).
+  destruct (mean_value f f' y z ltac:(lra) D) as (q & Hq & E'). rewrite F0, !Rminus_0_r in E.
+  specialize (Falls p q ltac:(lra) ltac:(lra)). assert (y * (z - y) * f' q <= y * (z - y) * f' p) by scale.
+  replace (f z) with (f y + f' q * (z - y)) by lra. rewrite E. nra.
+Qed.
 Lemma chord y z : 0 <= y <= z -> z <= PI -> y * sin z <= z * sin y.
 Proof.
-  intros Hy Hz. destruct (Req_dec y 0) as [->|N0]; [rewrite sin_0; lra|]. destruct (Req_dec y z) as [->|N1]; [lra|].
-  apply Rlt_le, Rmult_lt_reg_r with (/ (y * z)); [apply Rinv_0_lt_compat; nra|].
-  replace (y * sin z * / (y * z)) with (sin z / z) by (field; lra).
-    replace (z * sin y * / (y * z)) with (sin y / y) by (field; lra).
-  apply Ropp_lt_cancel. apply (grows (fun t => - (sin t / t)) (fun t => (sin t - t * cos t) / t ^ 2)); [lra| |].
-  - intros t Ht. auto_derive; [lra|]. field; lra.
-  - intros t Ht. apply Rdiv_lt_0_compat; [|nra]. replace 0 with (sin 0 - 0 * cos 0) by (rewrite sin_0; ring).
-    apply (grows (fun z => sin z - z * cos z) (fun z => z * sin z)); [lra| |].
-    + intros r _. auto_derive; auto. ring.
-    + intros r Hr. apply Rmult_lt_0_compat; [lra|apply sin_gt_0; lra].
+  intros Hy Hz. apply (chord_below sin cos); auto using sin_0; [intros; auto_derive; auto; ring|].
+  intros. apply cos_decr_1; lra.
 Qed.
 
 (** the tangent is convex: tan (r z) < r tan z *)
@@ -52,30 +53,25 @@ Proof.
   replace (sin (r * y) / sin y * sin y) with (sin (r * y)) in H by (field; lra). lra.
 Qed.
 
+(** a bound by sines *)
+Lemma half_turn y : 0 < y < PI -> y < sin y + PI / 2 * (1 - cos y).
+Proof.
+  intros Hy. pose proof PI2_1. destruct (Rle_dec y (PI / 2)) as [L|L].
+  - assert (Up : 0 < sin y + 1 - cos y - y).
+    { replace 0 with (sin 0 + 1 - cos 0 - 0) by (rewrite sin_0, cos_0; ring).
+      apply (grows (fun z => sin z + 1 - cos z - z) (fun z => cos z + sin z - 1)); [lra| |].
+      - intros. auto_derive; auto. ring.
+      - intros z Hz. assert (0 < sin z) by (apply sin_gt_0; lra). assert (0 < cos z) by (apply cos_gt_0; lra).
+        pose proof (sin2_cos2 z) as I. unfold Rsqr in I. nra. }
+    pose proof (COS_bound y). nra.
+  - pose proof (chord (y - PI / 2) (PI / 2) ltac:(lra) ltac:(lra)) as C.
+    rewrite sin_minus, sin_PI2, cos_PI2 in C. assert (0 < sin y) by (apply sin_gt_0; lra). lra.
+Qed.
 (** body 2's share of the relative velocity at U** *)
 Lemma share_2 y : - (PI / 2) < y < PI / 2 -> 0 < PI / 2 * sin y - y + cos y.
 Proof.
-  intros Hy. assert (Cy : 0 < cos y) by (apply cos_gt_0; lra). pose proof PI2_1 as P1.
-  destruct (Rle_dec 0 y) as [P|N].
-  - pose proof (chord y (PI / 2) ltac:(lra) ltac:(lra)) as C. rewrite sin_PI2 in C. lra.
-  - replace 0 with (PI / 2 * sin (- (PI / 2)) - - (PI / 2) + cos (- (PI / 2))) by (rewrite sin_neg, cos_neg, sin_PI2,
-    cos_PI2; lra).
-    apply (grows (fun t => PI / 2 * sin t - t + cos t) (fun t => PI / 2 * cos t - 1 - sin t)); [lra| |].
-    + intros t _. auto_derive; auto. ring.
-    + intros t Ht. replace (PI / 2 * cos t - 1 - sin t) with (PI / 2 * cos (2 * (t / 2)) - 1 - sin (2 * (t / 2))) by
-        (replace (2 * (t / 2)) with t by field; ring).
-      rewrite cos_2a, sin_2a. set (c := cos (t / 2)). set (n := sin (t / 2)).
-      pose proof (sin2_cos2 (t / 2)) as Q. unfold Rsqr in Q. fold c n in Q.
-      assert (Hc : 0 < c) by (apply cos_gt_0; lra). assert (Hs : 0 < c + n).
-      { unfold c, n. replace (cos (t / 2)) with (sin (PI / 2 + t / 2)) by (rewrite <- cos_sin; auto).
-        replace (sin (PI / 2 + t / 2)) with (cos (t / 2)) by (rewrite <- cos_sin; auto).
-        assert (0 < sin (t / 2 + PI / 4)) as A by (apply sin_gt_0; lra). rewrite sin_plus, sin_PI4, cos_PI4 in A.
-        assert (0 < 1 / sqrt 2) by positive. nra. }
-      assert (Hn : n <= 0). { unfold n. replace (t / 2) with (- (- t / 2)) by field. rewrite sin_neg.
-        pose proof (sin_ge_0 (- t / 2) ltac:(lra) ltac:(lra)). lra. }
-      replace (PI / 2 * (c * c - n * n) - 1 - 2 * n * c) with ((c + n) * (PI / 2 * (c - n) - (c + n))) by
-        (rewrite <- Q; ring).
-      apply Rmult_lt_0_compat; auto. nra.
+  intros Hy. pose proof (half_turn (y + PI / 2) ltac:(lra)) as Q.
+  rewrite sin_plus, cos_plus, sin_PI2, cos_PI2 in Q. lra.
 Qed.
 
 (** body 1's share, below its resonance *)
@@ -159,16 +155,14 @@ Theorem undamped_iff F : 0 <= F -> (forall t, 0 < t < PI / om ->
   0 < slipping m2 b om swing' (leave m1 m2 0 a2 b om 0 (swing' 0)) t) ->
   (exists phi x v1 v2 s, nonstop m1 m2 0 a2 b om F phi x v1 v2 s) <-> Fslip_undamped <= F.
 Proof.
-  intros HF Side. rewrite <- Fslip_k. apply (nonstop_iff m1 m2 0 a2 b om Hm1 Hm2 (Rle_refl 0) Ha2 Hb Hom k k' derive_k
-    derive_k'); auto.
-  - rewrite k_0. unfold k, swing; fold o1; fold al. rewrite angle_T. field; lra.
-  - pose proof own_pos. unfold k', swing'; fold o1; fold al. rewrite angle_T, angle_0, sin_neg. field; repeat split;
-    lra.
+  intros HF Side. rewrite <- Fslip_k. pose proof own_pos. assert (ET : k (PI / om) = - k 0).
+  { rewrite k_0. unfold k, swing; fold o1; fold al. rewrite angle_T. field; lra. }
+  assert (ET' : k' (PI / om) = - k' 0).
+  { unfold k', swing'; fold o1; fold al. rewrite angle_T, angle_0, sin_neg. field; repeat split; lra. }
+  apply (nonstop_iff m1 m2 0 a2 b om Hm1 Hm2 (Rle_refl 0) Ha2 Hb Hom k k' derive_k derive_k'); auto.
   - unfold Z1. assert (0 < (a2 - m1 * om ^ 2) ^ 2); [|nra]. assert (a2 - m1 * om ^ 2 <> 0) as N by lra.
     pose proof (Rsqr_pos_lt _ N) as Q. unfold Rsqr in Q. lra.
-  - unfold leave. apply Rdiv_lt_0_compat; [|positive].
-    replace (b * ((m1 + m2) / m2 - a2 * k 0 - 0 * k' 0)) with (b * ((m1 + m2) / m2)) by (rewrite k_0; ring).
-    apply Rmult_lt_0_compat; [auto|positive].
+  - apply leaves; auto using derive_k, derive_k'. lra.
   - rewrite k_0. auto.
 Qed.
 End Undamped.

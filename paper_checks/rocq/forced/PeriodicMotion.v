@@ -48,14 +48,16 @@ Let forced := forced m1 m2 a1 a2 b.
 Let energy := energy m1 m2 a2.
 
 (** a triangle inequality for the energy *)
-Lemma energy_3 x y z x' y' z' x'' y'' z'' :
-  energy (x + x' + x'') (y + y' + y'') (z + z' + z'') <= 3 * (energy x y z + energy x' y' z' + energy x'' y'' z'').
+Lemma energy_3 x y z x' y' z' x'' y'' z'' p q r : energy (x - p) (y - q) (z - r) <=
+  3 * (energy (x - x') (y - y') (z - z') + energy (x' - x'') (y' - y'') (z' - z'')
+    + energy (x'' - p) (y'' - q) (z'' - r)).
 Proof.
-  assert (S : forall p q r, (p + q + r) ^ 2 <= 3 * (p ^ 2 + q ^ 2 + r ^ 2)).
-  { intros p q r. pose proof (pow2_ge_0 (p - q)). pose proof (pow2_ge_0 (q - r)). pose proof (pow2_ge_0 (p - r)). lra. }
-  unfold energy, Pair.energy. pose proof (Rmult_le_compat_l a2 _ _ ltac:(lra) (S x x' x'')).
-  pose proof (Rmult_le_compat_l m1 _ _ ltac:(lra) (S y y' y'')).
-    pose proof (Rmult_le_compat_l m2 _ _ ltac:(lra) (S z z' z'')). lra.
+  assert (S : forall m c d e f, 0 < m -> m * (c - f) ^ 2 <= m *
+    (3 * ((c - d) ^ 2 + (d - e) ^ 2 + (e - f) ^ 2))).
+  { intros m c d e f Hm. apply Rmult_le_compat_l; [lra|]. pose proof (pow2_ge_0 (c - d - (d - e))).
+    pose proof (pow2_ge_0 (d - e - (e - f))). pose proof (pow2_ge_0 (c - d - (e - f))). lra. }
+  unfold energy, Pair.energy. pose proof (S a2 x x' x'' p Ha2). pose proof (S m1 y y' y'' q Hm1).
+  pose proof (S m2 z z' z'' r Hm2). lra.
 Qed.
 
 (** the impulse of a force of period P *)
@@ -63,29 +65,22 @@ Variables (U : R -> R) (G P : R).
 Hypotheses (HG : 0 <= G) (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) (HP : 0 < P)
   (PU : forall t, 0 <= t -> U (P + t) - U P = U t - U 0).
 
-(** a motion shifted by a period is a motion *)
-Lemma forced_period x v1 v2 s : forced U x v1 v2 s ->
-  forced U (fun u => x (P + u)) (fun u => v1 (P + u)) (fun u => v2 (P + u)) (fun u => s (P + u)).
+(** a motion after a while is a motion, if the force repeats then *)
+Lemma forced_again S x v1 v2 s : 0 <= S -> (forall t, 0 <= t -> U (S + t) - U S = U t - U 0) ->
+  forced U x v1 v2 s ->
+  forced U (fun u => x (S + u)) (fun u => v1 (S + u)) (fun u => v2 (S + u)) (fun u => s (S + u)).
 Proof.
-  intros H. apply (forced_ext m1 m2 a1 a2 b (fun u => U (P + u))); [|apply forced_shift; auto; lra].
-  intros t Ht. rewrite Rplus_0_r, PU by auto. auto.
+  intros HS E H. apply (forced_ext m1 m2 a1 a2 b (fun u => U (S + u))); [|apply forced_shift; auto].
+  intros t Ht. rewrite Rplus_0_r, E by auto. auto.
 Qed.
-
-(** by any number of periods *)
-Lemma forced_periods n x v1 v2 s : forced U x v1 v2 s ->
-  forced U (fun u => x (INR n * P + u)) (fun u => v1 (INR n * P + u)) (fun u => v2 (INR n * P + u)) (fun u => s
-    (INR n * P + u)).
+(** as it does after any number of periods *)
+Lemma force_again n t : 0 <= t -> U (INR n * P + t) - U (INR n * P) = U t - U 0.
 Proof.
-  intros H. assert (HnP : 0 <= INR n * P) by (pose proof (pos_INR n); nra).
-  apply (forced_ext m1 m2 a1 a2 b (fun u => U (INR n * P + u))); [|apply forced_shift; auto].
-  intros t Ht. rewrite Rplus_0_r. symmetry.
-  assert (Q : forall k r, 0 <= r -> U (INR k * P + r) - U (INR k * P) = U r - U 0).
-  { induction k as [|k IH]; intros r Hr; [simpl; rewrite Rmult_0_l, Rplus_0_l; auto|].
-    assert (HkP : 0 <= INR k * P) by (pose proof (pos_INR k); nra). rewrite S_INR.
-    replace ((INR k + 1) * P + r) with (P + (INR k * P + r)) by ring.
-      replace ((INR k + 1) * P) with (P + INR k * P) by ring.
-    pose proof (PU (INR k * P + r) ltac:(lra)). pose proof (PU (INR k * P) HkP). specialize (IH r Hr). lra. }
-  auto.
+  revert t. induction n as [|n IH]; intros t Ht; [simpl; rewrite Rmult_0_l, Rplus_0_l; auto|].
+  assert (HnP : 0 <= INR n * P) by (pose proof (pos_INR n); nra). rewrite S_INR.
+  replace ((INR n + 1) * P + t) with (P + (INR n * P + t)) by ring.
+  replace ((INR n + 1) * P) with (P + INR n * P) by ring.
+  pose proof (PU (INR n * P + t) ltac:(lra)). pose proof (PU (INR n * P) HnP). specialize (IH t Ht). lra.
 Qed.
 
 (** the motion from the cluster point is periodic *)
@@ -102,41 +97,27 @@ Proof.
     W10 & W20).
   exists y, w1, w2, z. split; auto. assert (Fix : energy (y P - p) (w1 P - q) (w2 P - r) <= 0).
   { apply le_epsilon. intros e He. rewrite Rplus_0_l.
-    destruct (approach m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ G (forced_period _ _ _ _ H) H HG LU (e /
-      9)) as (T & HT & Near); [lra|].
-    set (d := Rmin 1 (e / 9 / (a2 + m1 + m2))).
-      assert (Hd : 0 < d) by positive.
-    destruct (nfloor_ex (T / P)) as (N & _ & HN). { positive. } destruct (Cl d (S N) Hd) as (n & Hn & C1 & C2 & C3).
-    assert (HnT : T <= INR n * P).
-    { apply le_INR in Hn. rewrite S_INR in Hn. apply Rmult_lt_compat_r with (r := P) in HN; auto.
-      replace (T / P * P) with T in HN by (field; lra). nra. }
+    destruct (approach m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ G
+      (forced_again P _ _ _ _ ltac:(lra) PU H) H HG LU (e / 9)) as (T & HT & Near); [lra|].
+    set (d := Rmin 1 (e / 9 / (a2 + m1 + m2))). assert (Hd : 0 < d) by positive. least d.
+    destruct (one_turn P T HP HT) as (N & u & ET & Hu). destruct (Cl d (S N) Hd) as (n & Hn & C1 & C2 & C3).
+    assert (HnT : T <= INR n * P) by (apply le_INR in Hn; rewrite S_INR in Hn; nra).
     assert (E1 : energy (x (INR n * P) - p) (v1 (INR n * P) - q) (v2 (INR n * P) - r) <= e / 9).
-    { assert (Sq : forall k, Rabs k < d -> k ^ 2 <= d). { intros k Hk. assert (d <= 1) by apply Rmin_l.
-      apply Rabs_def2 in Hk. nra. } assert (Dm : d * (a2 + m1 + m2) <= e / 9).
-      { replace (e / 9) with (e / 9 / (a2 + m1 + m2) * (a2 + m1 + m2)) by (field; lra).
-        apply Rmult_le_compat_r; [lra|apply Rmin_r]. }
-      pose proof (Rmult_le_compat_l a2 _ _ ltac:(lra) (Sq _ C1)).
-        pose proof (Rmult_le_compat_l m1 _ _ ltac:(lra) (Sq _ C2)).
-      pose proof (Rmult_le_compat_l m2 _ _ ltac:(lra) (Sq _ C3)). unfold energy, Pair.energy.
-      assert (0 < a2 * d) by nra. assert (0 < m1 * d) by nra. assert (0 < m2 * d) by nra. lra. }
+    { assert (Sq : forall m k, 0 < m -> Rabs k < d -> m * k ^ 2 <= m * d).
+      { intros m k Hm Hk. apply Rabs_def2 in Hk. apply Rmult_le_compat_l; [lra|nra]. }
+      assert (Dm : d * (a2 + m1 + m2) <= e / 9) by (apply Rle_div_r; lra). unfold energy, Pair.energy.
+      pose proof (Sq _ _ Ha2 C1). pose proof (Sq _ _ Hm1 C2). pose proof (Sq _ _ Hm2 C3). lra. }
     pose proof (Near (INR n * P) HnT) as E2. fold energy in E2.
     assert (E3 : energy (y P - x (P + INR n * P)) (w1 P - v1 (P + INR n * P)) (w2 P - v2 (P + INR n * P)) <= e / 9).
-    { pose proof (forced_contraction m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ _ _ _ _ _ 0 P H' (forced_periods
-      n _ _ _ _ H) ltac:(lra)) as Q.
+    { pose proof (forced_contraction m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ _ _ _ _ _ 0 P H'
+        (forced_again (INR n * P) _ _ _ _ (HnP n) (force_again n) H) ltac:(lra)) as Q.
       cbv beta in Q. rewrite Y0, W10, W20, Rplus_0_r, (Rplus_comm (INR n * P) P) in Q. fold energy in Q.
       eapply Rle_trans; [exact Q|]. eapply Rle_trans; [|exact E1]. apply Req_le. unfold energy, Pair.energy. field. }
-    pose proof (energy_3 (y P - x (P + INR n * P)) (w1 P - v1 (P + INR n * P)) (w2 P - v2 (P + INR n * P))
-      (x (P + INR n * P) - x (INR n * P)) (v1 (P + INR n * P) - v1 (INR n * P)) (v2 (P + INR n * P) - v2 (INR n * P))
-      (x (INR n * P) - p) (v1 (INR n * P) - q) (v2 (INR n * P) - r)) as E4.
-    replace (y P - x (P + INR n * P) + (x (P + INR n * P) - x (INR n * P)) + (x (INR n * P) - p)) with (y P - p)
-      in E4 by ring.
-    replace (w1 P - v1 (P + INR n * P) + (v1 (P + INR n * P) - v1 (INR n * P)) + (v1 (INR n * P) - q)) with (w1 P
-      - q) in E4 by ring.
-    replace (w2 P - v2 (P + INR n * P) + (v2 (P + INR n * P) - v2 (INR n * P)) + (v2 (INR n * P) - r)) with (w2 P
-      - r) in E4 by ring.
-    lra. }
+    pose proof (energy_3 (y P) (w1 P) (w2 P) (x (P + INR n * P)) (v1 (P + INR n * P)) (v2 (P + INR n * P))
+      (x (INR n * P)) (v1 (INR n * P)) (v2 (INR n * P)) p q r). lra. }
   apply (energy_zero m1 m2 a2 Hm1 Hm2 Ha2) in Fix. intros t Ht.
-  apply (forced_unique m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Ha2 Hb _ _ _ _ _ _ _ _ _ 0 (forced_period _ _ _ _ H') H');
+  apply (forced_unique m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Ha2 Hb _ _ _ _ _ _ _ _ _ 0
+    (forced_again P _ _ _ _ ltac:(lra) PU H') H');
     cbv beta; rewrite ?Rplus_0_r; lra.
 Qed.
 

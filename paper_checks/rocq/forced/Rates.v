@@ -8,6 +8,28 @@ Proof. intros [-> | ->]; rewrite Rabs_mult; [rewrite Rabs_R1|rewrite Rabs_m1]; r
 Lemma both_signs z c : (forall k, k = 1 \/ k = -1 -> k * z <= c) -> Rabs z <= c.
 Proof. intros B. pose proof (B 1 ltac:(auto)). pose proof (B (-1) ltac:(auto)). apply Rabs_le. lra. Qed.
 
+(** linear arithmetic with bounds of sizes *)
+Ltac by_sizes := repeat match goal with H : Rabs _ <= _ |- _ => apply Rabs_inv in H
+  | H : Rabs _ < _ |- _ => apply Rabs_def2 in H end; first [lra | apply Rabs_le; lra
+  | apply Rabs_def1; lra | split; nra | apply Rabs_le; split; nra].
+(** what a minimum is not more than *)
+Ltac least c := let m := eval unfold c in c in min_bounds m; pose proof (eq_refl c : c = m).
+
+(** what repeats after P, after any number of times; and every time by one of the first turn *)
+Lemma repeats {A} (f : R -> A) P n t : 0 <= P -> (forall t, 0 <= t -> f (P + t) = f t) -> 0 <= t ->
+  f (INR n * P + t) = f t.
+Proof.
+  intros HP E Ht. induction n as [|n IH]; [simpl; f_equal; ring|]. rewrite S_INR.
+  replace ((INR n + 1) * P + t) with (P + (INR n * P + t)) by ring. rewrite E; auto.
+  pose proof (pos_INR n). positive.
+Qed.
+Lemma one_turn P t : 0 < P -> 0 <= t -> exists n u, t = INR n * P + u /\ 0 <= u < P.
+Proof.
+  intros HP Ht. destruct (nfloor_ex (t / P)) as (n & Lo & Hi); [positive|]. exists n, (t - INR n * P).
+  apply (Rmult_le_compat_r P) in Lo; [|lra]. apply (Rmult_lt_compat_r P) in Hi; [|auto].
+  replace (t / P * P) with t in * by (field; lra). split; [ring|lra].
+Qed.
+
 (** exp rises *)
 Lemma exp_mono p q : p <= q -> exp p <= exp q.
 Proof. intros [L|<-]; [apply Rlt_le, exp_increasing; auto|lra]. Qed.
@@ -94,6 +116,18 @@ Ltac rates := first [apply rderiv_const | motion
   | eapply rderiv_of_derive; auto_derive; [repeat split; auto; lra|reflexivity]].
 (** what is left is that this is the rate wanted *)
 Ltac rate := eapply rderiv_eq; [|rates]; cbv beta.
+(** a derivative, by those that are known *)
+Ltac derive := auto_derive; [repeat split; first [match goal with
+      D : forall t, is_derive ?f t _ |- ex_derive (fun x => ?f x) _ => eexists; apply D end | auto; lra]
+  |repeat match goal with D : forall t, is_derive ?f t _ |- context [Derive (fun x => ?f x) ?t] =>
+     rewrite (is_derive_unique (fun x : R => f x) _ _ (D t)) end].
+(** the mean value theorem *)
+Lemma mean_value f f' p q : p < q -> (forall t, is_derive f t (f' t)) ->
+  exists c, p < c < q /\ f q - f p = f' c * (q - p).
+Proof.
+  intros Hp D. destruct (MVT_cor2 f f' p q Hp) as (c & E & Hc); [intros; apply is_derive_Reals, D|eauto].
+Qed.
+
 (** what is slower than an arc gains less *)
 Lemma slower y w Y W p q : cont y -> 0 <= p <= q -> (forall u, is_derive Y u (W u)) ->
   (forall u, p <= u < q -> rderiv y u (w u) /\ w u <= W u) -> y q - y p <= Y q - Y p.

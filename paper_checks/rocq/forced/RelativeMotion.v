@@ -32,7 +32,6 @@ Proof.
   pose proof (forced_unique m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ 0 H' H (Rle_refl 0) X0 V0 W0) as Same.
   destruct (Same t Ht) as (Ex & Ev & Ew). split; [|lra].
   assert (Q : (z' t - z t) - (z' 0 - z 0) = 0 * (t - 0)); [|lra].
-  apply (rderiv_line (fun r => z' r - z r)); [apply cont_minus; auto|lra|]. intros r Hr.
-  replace 0 with (v2' r - v2 r) by (destruct (Same r ltac:(lra)) as (_ & _ & ->); ring).
-  apply rderiv_minus; [apply Dz'|apply Dz]; lra.
+  apply (rderiv_line (fun r => z' r - z r)); [continuous|lra|]. intros r Hr.
+  rate. destruct (Same r ltac:(lra)) as (_ & _ & ->). ring.
 Qed.

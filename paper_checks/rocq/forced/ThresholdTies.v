@@ -35,52 +35,30 @@ Proof. intros; unfold Fslip_undamped. assert (W : 0 < sqrt (a2 / m1)) by (apply 
 Theorem tie_non_stop_damped : forall m1 m2 a1 a2 b om : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> 0 < a1 -> a1 ^ 2 < 4 * m1 * a2 -> Fslip_damped m1 m2 a1 a2 b om = sqrt ((((a2 + ((-1) * m1 * (om ^ 2))) ^ 2) + ((a1 ^ 2) * (om ^ 2))) * (((1 / 4) * (/ (m2 ^ 2)) * (/ (om ^ 4)) * ((((-1) * PI * b) + (2 * (turn_speed m1 a1 a2 om) * b * m2 * om)) ^ 2)) + ((/ (m1 ^ 2)) * (/ (m2 ^ 2)) * (/ (om ^ 4)) * ((((-1) * b * m1) + ((-1) * b * m2) + ((turn_place m1 a1 a2 om) * a2 * b * m2) + ((turn_speed m1 a1 a2 om) * a1 * b * m2)) ^ 2)))).
 Proof. intros. rewrite <- Fslip_swing, swing_0, swing'_0 by lra. apply tie_non_stop_amplitude; lra. Qed.
 
-(** [tie-turn-place] The place of body 1 where the square wave turns. *)
-Theorem tie_turn_place : forall m1 m2 a1 a2 b om : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> 0 <= a1 -> a1 ^ 2 < 4 * (m1 * a2) -> 0 < weight m1 a1 a2 om -> turn_place m1 a1 a2 om = ((/ ((m1 * ((ring_frequency m1 a1 a2) ^ 3)) + (m1 * (ring_frequency m1 a1 a2) * ((Waves.fade m1 a1) ^ 2)) + (m1 * ((exp (- (Waves.fade m1 a1 * (PI / om)))) ^ 2) * ((ring_frequency m1 a1 a2) ^ 3)) + (m1 * (ring_frequency m1 a1 a2) * ((exp (- (Waves.fade m1 a1 * (PI / om)))) ^ 2) * ((Waves.fade m1 a1) ^ 2)) + (2 * (exp (- (Waves.fade m1 a1 * (PI / om)))) * m1 * ((ring_frequency m1 a1 a2) ^ 3) * (cos (PI * (ring_frequency m1 a1 a2) * (/ om)))) + (2 * (exp (- (Waves.fade m1 a1 * (PI / om)))) * m1 * (ring_frequency m1 a1 a2) * ((Waves.fade m1 a1) ^ 2) * (cos (PI * (ring_frequency m1 a1 a2) * (/ om)))))) * (((-1) * (ring_frequency m1 a1 a2)) + ((ring_frequency m1 a1 a2) * ((exp (- (Waves.fade m1 a1 * (PI / om)))) ^ 2)) + (2 * (exp (- (Waves.fade m1 a1 * (PI / om)))) * (Waves.fade m1 a1) * (sin (PI * (ring_frequency m1 a1 a2) * (/ om)))))).
-Proof. intros; unfold turn_place, weight, cosh, sinh in *.
-  assert (O : 0 < ring_frequency m1 a1 a2) by (apply sqrt_lt_R0; unfold Waves.fade;
-    replace (a2 / m1 - (a1 / (2 * m1)) ^ 2) with ((4 * (m1 * a2) - a1 ^ 2) * / (4 * m1 ^ 2)) by (field; lra);
-    apply Rmult_lt_0_compat; [lra|apply Rinv_0_lt_compat; nra]).
-  assert (A : a2 = m1 * (Waves.fade m1 a1 ^ 2 + ring_frequency m1 a1 a2 ^ 2)) by (unfold ring_frequency;
-    rewrite pow2_sqrt by (unfold Waves.fade; replace (a2 / m1 - (a1 / (2 * m1)) ^ 2) with ((4 * (m1 * a2) - a1 ^ 2) * / (4 * m1 ^ 2))
-      by (field; lra); apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; nra]); field; lra).
-  assert (E : 0 < exp (- (Waves.fade m1 a1 * (PI / om)))) by apply exp_pos.
-  assert (I : exp (Waves.fade m1 a1 * (PI / om)) = / exp (- (Waves.fade m1 a1 * (PI / om)))) by (rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos).
-  rewrite I in *.
-  match goal with W : 0 < _ + cos ?x |- _ => set (c := cos x) in *; set (s := sin x) in *;
+(** body 1's exponential, frequency, fading, cosine and sine as letters *)
+Ltac letters := unfold turn_place, turn_speed, weight, cosh, sinh in *; lazymatch goal with
+  Hm : 0 < ?m1, Ha : 0 < ?a2, D : ?a1 ^ 2 < 4 * (?m1 * ?a2), W : 0 < (exp ?p + _) / 2 + cos ?x |- _ =>
+    pose proof (od_pos m1 a1 a2 Hm ltac:(lra)); pose proof (od_sq m1 a1 a2 Hm ltac:(lra));
+    pose proof (exp_pos (- p));
+    replace (exp p) with (/ exp (- p)) in * by (rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos);
+    set (c := cos x) in *; set (s := sin x) in *;
     repeat match goal with |- context [cos ?z] => replace (cos z) with c by (unfold c; f_equal; field; lra) end;
     repeat match goal with |- context [sin ?z] => replace (sin z) with s by (unfold s; f_equal; field; lra) end;
-    clearbody c s end.
-  set (d := exp (- (Waves.fade m1 a1 * (PI / om)))) in *; set (o := ring_frequency m1 a1 a2) in *; set (l := Waves.fade m1 a1) in *.
-  clearbody d o l.
-  match goal with W : 0 < (/ d + d) / 2 + c |- _ => assert (N : 0 < 1 + 2 * d * c + d ^ 2) by
-    (replace (1 + 2 * d * c + d ^ 2) with (2 * d * ((/ d + d) / 2 + c)) by (field; lra); nra) end.
-  rewrite A at 1. assert (K : 0 < l ^ 2 + o ^ 2) by (pose proof (pow2_ge_0 l); nra). field. repeat split; try lra;
-  match goal with |- ?t <> 0 => first [replace t with (1 + 2 * d * c + d ^ 2) by ring; lra
-    | replace t with (m1 * o * (1 + 2 * d * c + d ^ 2)) by ring | replace t with (m1 * o * (l ^ 2 + o ^ 2) * (1 + 2 * d * c + d ^ 2)) by ring] end;
-  apply Rgt_not_eq; repeat apply Rmult_lt_0_compat; lra. Qed.
+    set (d := exp (- p)) in *; set (o := ring_frequency m1 a1 a2) in *; set (l := Waves.fade m1 a1) in *;
+    clearbody c s d o l; assert (N : 0 < 1 + 2 * d * c + d ^ 2) by
+      (replace (1 + 2 * d * c + d ^ 2) with (2 * d * ((/ d + d) / 2 + c)) by (field; lra); nra);
+    assert (0 < l ^ 2 + o ^ 2) by (pose proof (pow2_ge_0 l); nra) end.
+(** the denominators in them are not 0 *)
+Ltac nonzero := field; repeat split; try lra; match goal with N : 0 < 1 + 2 * ?d * ?c + ?d ^ 2 |- ?t <> 0 =>
+  first [replace t with (1 + 2 * d * c + d ^ 2) by ring; lra | apply Rgt_not_eq, Rlt_gt;
+    match goal with M : 0 < ?m, O : 0 < ?o, K : 0 < ?l ^ 2 + ?o ^ 2 |- _ =>
+      first [replace t with (m * o * (1 + 2 * d * c + d ^ 2)) by ring
+        | replace t with (m * o * (l ^ 2 + o ^ 2) * (1 + 2 * d * c + d ^ 2)) by ring]; positive end] end.
+
+(** [tie-turn-place] The place of body 1 where the square wave turns. *)
+Theorem tie_turn_place : forall m1 m2 a1 a2 b om : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> 0 <= a1 -> a1 ^ 2 < 4 * (m1 * a2) -> 0 < weight m1 a1 a2 om -> turn_place m1 a1 a2 om = ((/ ((m1 * ((ring_frequency m1 a1 a2) ^ 3)) + (m1 * (ring_frequency m1 a1 a2) * ((Waves.fade m1 a1) ^ 2)) + (m1 * ((exp (- (Waves.fade m1 a1 * (PI / om)))) ^ 2) * ((ring_frequency m1 a1 a2) ^ 3)) + (m1 * (ring_frequency m1 a1 a2) * ((exp (- (Waves.fade m1 a1 * (PI / om)))) ^ 2) * ((Waves.fade m1 a1) ^ 2)) + (2 * (exp (- (Waves.fade m1 a1 * (PI / om)))) * m1 * ((ring_frequency m1 a1 a2) ^ 3) * (cos (PI * (ring_frequency m1 a1 a2) * (/ om)))) + (2 * (exp (- (Waves.fade m1 a1 * (PI / om)))) * m1 * (ring_frequency m1 a1 a2) * ((Waves.fade m1 a1) ^ 2) * (cos (PI * (ring_frequency m1 a1 a2) * (/ om)))))) * (((-1) * (ring_frequency m1 a1 a2)) + ((ring_frequency m1 a1 a2) * ((exp (- (Waves.fade m1 a1 * (PI / om)))) ^ 2)) + (2 * (exp (- (Waves.fade m1 a1 * (PI / om)))) * (Waves.fade m1 a1) * (sin (PI * (ring_frequency m1 a1 a2) * (/ om)))))).
+Proof. intros; letters. subst a2. nonzero. Qed.
 
 (** [tie-turn-speed] Its velocity there. *)
 Theorem tie_turn_speed : forall m1 m2 a1 a2 b om : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> 0 <= a1 -> a1 ^ 2 < 4 * (m1 * a2) -> 0 < weight m1 a1 a2 om -> turn_speed m1 a1 a2 om = ((-2) * (exp (- (Waves.fade m1 a1 * (PI / om)))) * (/ ((m1 * (ring_frequency m1 a1 a2)) + (m1 * (ring_frequency m1 a1 a2) * ((exp (- (Waves.fade m1 a1 * (PI / om)))) ^ 2)) + (2 * (exp (- (Waves.fade m1 a1 * (PI / om)))) * m1 * (ring_frequency m1 a1 a2) * (cos (PI * (ring_frequency m1 a1 a2) * (/ om)))))) * (sin (PI * (ring_frequency m1 a1 a2) * (/ om)))).
-Proof. intros; unfold turn_speed, weight, cosh, sinh in *.
-  assert (O : 0 < ring_frequency m1 a1 a2) by (apply sqrt_lt_R0; unfold Waves.fade;
-    replace (a2 / m1 - (a1 / (2 * m1)) ^ 2) with ((4 * (m1 * a2) - a1 ^ 2) * / (4 * m1 ^ 2)) by (field; lra);
-    apply Rmult_lt_0_compat; [lra|apply Rinv_0_lt_compat; nra]).
-  assert (A : a2 = m1 * (Waves.fade m1 a1 ^ 2 + ring_frequency m1 a1 a2 ^ 2)) by (unfold ring_frequency;
-    rewrite pow2_sqrt by (unfold Waves.fade; replace (a2 / m1 - (a1 / (2 * m1)) ^ 2) with ((4 * (m1 * a2) - a1 ^ 2) * / (4 * m1 ^ 2))
-      by (field; lra); apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; nra]); field; lra).
-  assert (E : 0 < exp (- (Waves.fade m1 a1 * (PI / om)))) by apply exp_pos.
-  assert (I : exp (Waves.fade m1 a1 * (PI / om)) = / exp (- (Waves.fade m1 a1 * (PI / om)))) by (rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos).
-  rewrite I in *.
-  match goal with W : 0 < _ + cos ?x |- _ => set (c := cos x) in *; set (s := sin x) in *;
-    repeat match goal with |- context [cos ?z] => replace (cos z) with c by (unfold c; f_equal; field; lra) end;
-    repeat match goal with |- context [sin ?z] => replace (sin z) with s by (unfold s; f_equal; field; lra) end;
-    clearbody c s end.
-  set (d := exp (- (Waves.fade m1 a1 * (PI / om)))) in *; set (o := ring_frequency m1 a1 a2) in *; set (l := Waves.fade m1 a1) in *.
-  clearbody d o l.
-  match goal with W : 0 < (/ d + d) / 2 + c |- _ => assert (N : 0 < 1 + 2 * d * c + d ^ 2) by
-    (replace (1 + 2 * d * c + d ^ 2) with (2 * d * ((/ d + d) / 2 + c)) by (field; lra); nra) end.
-  assert (K : 0 < l ^ 2 + o ^ 2) by (pose proof (pow2_ge_0 l); nra). field. repeat split; try lra;
-  match goal with |- ?t <> 0 => first [replace t with (1 + 2 * d * c + d ^ 2) by ring; lra
-    | replace t with (m1 * o * (1 + 2 * d * c + d ^ 2)) by ring | replace t with (m1 * o * (l ^ 2 + o ^ 2) * (1 + 2 * d * c + d ^ 2)) by ring] end;
-  apply Rgt_not_eq; repeat apply Rmult_lt_0_compat; lra. Qed.
+Proof. intros; letters. nonzero. Qed.

@@ -16,19 +16,10 @@ Theorem tracks r r' x0 G x v1 v2 s : 0 < a1 -> cont r -> (forall t, 0 <= t -> rd
     Rabs (v1 t - r' t) <= e /\ Rabs (v2 t - r' t) <= e /\ Rabs (x t - (r t + (x0 - r 0))) <= e.
 Proof.
   intros A1 Cr Dr Lr U HG LU H. pose proof (trackable m1 m2 a1 a2 b Hm2 Hb x0 r r' Cr Dr Lr) as F.
-  split; [exact F|]. intros e He. set (mu := Rmin a2 (Rmin m1 m2)).
-  assert (Mu : 0 < mu /\ mu <= a2 /\ mu <= m1 /\ mu <= m2).
-  { unfold mu. pose proof (Rmin_l a2 (Rmin m1 m2)). pose proof (Rmin_r a2 (Rmin m1 m2)). pose proof (Rmin_l m1 m2).
-    pose proof (Rmin_r m1 m2). split; [positive|lra]. }
-  destruct (approach m1 m2 a1 a2 b Hm1 Hm2 A1 Ha2 Hb _ _ _ _ _ _ _ _ _ G H F HG LU (mu * e ^ 2 / 2)) as (T & HT & K);
-    [positive|]. exists T. split; [auto|]. intros t Ht. specialize (K t Ht). unfold energy in K.
-  pose proof (pow2_ge_0 (x t - (x0 + r t - r 0))). pose proof (pow2_ge_0 (v1 t - r' t)).
-    pose proof (pow2_ge_0 (v2 t - r' t)).
-  assert (mu * (x t - (x0 + r t - r 0)) ^ 2 <= a2 * (x t - (x0 + r t - r 0)) ^ 2) by scale.
-  assert (mu * (v1 t - r' t) ^ 2 <= m1 * (v1 t - r' t) ^ 2) by scale.
-  assert (mu * (v2 t - r' t) ^ 2 <= m2 * (v2 t - r' t) ^ 2) by scale.
-  assert (Q : forall y, mu * y ^ 2 <= mu * e ^ 2 -> Rabs y <= e).
-  { intros y Hy. apply Rmult_le_reg_l in Hy; [|lra]. apply Rabs_le, sq_le_abs; lra. }
-  replace (x t - (r t + (x0 - r 0))) with (x t - (x0 + r t - r 0)) by ring. repeat split; apply Q; nra.
+  split; [exact F|]. intros e He.
+  destruct (energy_close m1 m2 a2 Hm1 Hm2 Ha2 e He) as (E & HE & Small).
+  destruct (approach m1 m2 a1 a2 b Hm1 Hm2 A1 Ha2 Hb _ _ _ _ _ _ _ _ _ G H F HG LU E HE) as (T & HT & K).
+  exists T. split; [auto|]. intros t Ht. destruct (Small _ _ _ (K t Ht)) as (X & V & W). split; [auto|].
+  split; [auto|]. replace (x t - (r t + (x0 - r 0))) with (x t - (x0 + r t - r 0)) by ring. auto.
 Qed.
 End Tracking.

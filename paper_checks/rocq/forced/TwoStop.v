@@ -46,13 +46,10 @@ Proof.
     - intros t Ht. destruct (Req_dec t 0) as [->|Nz]; [lra|]. specialize (Slip t ltac:(lra)). lra. }
   assert (A2 : forced_arc m1 m2 a1 a2 b (T - ts) (fun t => u (t + ts)) (fun t => Y (t + ts)) (fun t => W (t + ts))
     (fun t => W (t + ts)) (fun t => load Y W (t + ts) / b)).
-  { assert (Sh : forall (f : R -> R) (l t : R), is_derive f (t + ts) l -> is_derive (fun t => f (t + ts)) t l).
-    { intros f l t D. replace l with (scal 1 l) by (unfold scal; simpl; unfold mult; simpl; ring).
-      apply (is_derive_comp f (fun t => t + ts)); auto. auto_derive; auto. }
-    apply (stuck_arc m1 m2 a1 a2 b Hm1 Hm2 Hb (T - ts) (fun t => u (t + ts)) (fun t => Y (t + ts))
+  { apply (stuck_arc m1 m2 a1 a2 b Hm1 Hm2 Hb (T - ts) (fun t => u (t + ts)) (fun t => Y (t + ts))
       (fun t => W (t + ts))).
-    - intros t. apply (Sh Y), DY.
-    - intros t. apply (Sh W), DW.
+    - intros t. derive. ring.
+    - intros t. derive. unfold u. field. lra.
     - intros t Ht. pose proof (Load (t + ts) ltac:(lra)) as B. apply Rabs_inv in B. exact B. }
   destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) u X V _ _ ts ltac:(lra) (cont_wave F om phi Hom)
     (fun t _ => rderiv_wave F om phi t Hom) A1) as (x & v1 & v2 & s & H & E).

@@ -1,6 +1,6 @@
 (** The pair beside a stuck motion that needs at most the share rho < 1 of friction: its slide is paid for by the energy
     distance. Then, without a damper: under F sin (om t), F < F*, every motion tends to one stuck motion. *)
-From Coq Require Import Rtopology.
+From InertialPair Require PeriodicMotion.
 From InertialPair Require Import Dini PaidRates Pair Stick TurnedFrame Pursuit Forced EnergyLimit Interface Entrainment.
 
 Section Slide.
@@ -11,9 +11,6 @@ Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (H' : forced m1 m2 a1 a2 b U y
 Let w t := v1 t - v2 t.
 Let D t := energy m1 m2 a2 (x t - y t) (v1 t - v t) (v2 t - v t).
 
-Lemma cont_slip : cont w.
-Proof. continuous. Qed.
-
 (** D' <= - b (1 - rho) |w|: the motion's friction takes b |w|, the other's gives back at most rho of it *)
 Lemma D_falls t : 0 <= t -> dini_le D t (- (b * (1 - rho) * Rabs (w t))).
 Proof.
@@ -23,36 +20,14 @@ Proof.
   unfold w. lra.
 Qed.
 
-Lemma cont_D : cont D.
-Proof. exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H'). Qed.
-
 (** *** the slide bound: b (1 - rho) times the path of the slip is at most the energy distance that is lost *)
 Theorem slide p q : 0 <= p <= q -> b * (1 - rho) * (integral (fun t => Rabs (w t)) q - integral (fun t => Rabs (w t)) p)
   <= D p - D q.
 Proof.
-  apply (path_paid D (b * (1 - rho)) (fun t => Rabs (w t))); [exact cont_D|exact (cont_abs _ cont_slip)|exact D_falls].
+  apply (path_paid D (b * (1 - rho)) (fun t => Rabs (w t))); [|continuous|exact D_falls].
+  exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H').
 Qed.
 End Slide.
-
-(** multiples of a number come as close to an integer as one likes, as late as one likes *)
-Lemma recurs z e N : 0 <= z -> 0 < e <= 1 -> exists n k : nat, (N <= n)%nat /\ Rabs (INR n * z - INR k) < e.
-Proof.
-  intros Hz He. set (f := fun n => frac_part (INR n * z)).
-  destruct (Bolzano_Weierstrass f (fun c => 0 <= c <= 1) (compact_P3 0 1)) as (l & Hl).
-  { intros n. pose proof (base_fp (INR n * z)). unfold f. lra. }
-  assert (Nb : neighbourhood (fun c => Rabs (c - l) < e / 2) l).
-  { exists (mkposreal (e / 2) ltac:(lra)). intros c Hc. exact Hc. }
-  destruct (Hl _ 0%nat Nb) as (i & _ & Hi). destruct (Hl _ (i + N)%nat Nb) as (j & Hj & Hjl).
-  exists (j - i)%nat. set (k := (Int_part (INR j * z) - Int_part (INR i * z))%Z).
-  assert (Ij : INR (j - i) * z = IZR k + (f j - f i)).
-  { rewrite minus_INR by lia. unfold k, f, frac_part. rewrite minus_IZR. ring. }
-  apply Rabs_def2 in Hi. apply Rabs_def2 in Hjl.
-  assert (Hk : (0 <= k)%Z).
-  { assert (0 <= INR (j - i) * z) by (apply Rmult_le_pos; auto using pos_INR).
-    assert (L : -1 < IZR k) by lra. apply lt_IZR in L. lia. }
-  exists (Z.to_nat k). split; [lia|]. rewrite INR_IZR_INZ with (n := Z.to_nat k), Z2Nat.id by auto.
-  apply Rabs_def1; lra.
-Qed.
 
 (** *** Without a damper: every motion under F sin (om t), F < F*, tends to one stuck motion *)
 Section Undamped.
@@ -111,10 +86,10 @@ Proof. exact (forced_contraction m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb _ _ _ _ _ 
 (** the common momentum, less that of the response, feels the spring alone *)
 Lemma momentum_rate t : 0 <= t -> rderiv P t (- a2 * dx t).
 Proof.
-  intros Ht. apply rderiv_ext with (fun q => (m1 * v1 q + b * s q - drive F om q)
-    - (m1 * v q + b * (m2 / b * v q) - drive F om q) + (m2 * v2 0 - b * s 0)).
-  { intros q Hq. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H q ltac:(lra)).
-    replace (b * (m2 / b * v q)) with (m2 * v q) by (field; lra). unfold P, d1, d2. lra. }
+  intros Ht. apply rderiv_ext with (fun q => (m1 * v1 q + m2 * v2 q - drive F om q)
+    - (m1 * v q + m2 * v q - drive F om q)).
+  { intros. unfold P, d1, d2. ring. }
+  pose proof (momentum _ _ _ _ _ _ _ _ _ _ t H Ht). pose proof (momentum _ _ _ _ _ _ _ _ _ _ t Stuck Ht).
   rate. unfold dx. ring.
 Qed.
 
@@ -124,8 +99,8 @@ Proof.
   set (X0 := sqrt (2 * D 0 / a2)). set (Y0 := F / sqrt (Z m1 m2 0 a2 om)).
   assert (Hx : forall t, 0 <= t -> Rabs (x t) <= Y0 + X0).
   { intros t Ht. replace (x t) with (y t + dx t) by (unfold dx; ring). eapply Rle_trans; [apply Rabs_triang|].
-    apply Rplus_le_compat; [apply rX_bound; auto|]. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr.
-    undivide a2. pose proof (D_mono 0 t ltac:(lra)) as Q. unfold D at 1, energy in Q. nra. }
+    apply Rplus_le_compat; [apply rX_bound; auto|].
+    apply (energy_within m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ (D_mono 0 t ltac:(lra))). }
   exists (/ m1 * (a2 * (Y0 + X0) + F + b) + / m2 * b). split.
   { assert (0 <= / m1 * (a2 * (Y0 + X0) + F + b)) by positive. assert (0 < / m2 * b) by positive. lra. }
   intros p q Hp. replace (w q - w p) with ((v1 q - v2 q) - (v1 p - v2 p)) by (unfold w, d1, d2; ring).
@@ -152,55 +127,46 @@ Proof.
   eapply Rle_trans; [right|exact Q]. unfold yX, yV, dx, d1, d2. f_equal; ring.
 Qed.
 
-(** a free oscillation is Lipschitz *)
-Lemma free_lip x0 v0 : exists K, 0 < K /\ forall p q, 0 <= p <= q ->
-  Rabs (V m1 m2 a2 x0 v0 q - V m1 m2 a2 x0 v0 p) <= K * (q - p).
+(** the speed of a free oscillation: bounded by its state at any time, and by it what it is from then on *)
+Lemma speed_below p q t : Rabs (V m1 m2 a2 p q t) <= Rabs q + Om * Rabs p.
 Proof.
-  pose proof (Rabs_pos x0). pose proof (Rabs_pos (v0 / Om)). assert (0 < Om * Om) by positive.
-  exists (Om * Om * (Rabs x0 + Rabs (v0 / Om) + 1)). split; [apply Rmult_lt_0_compat; lra|].
-  intros p q Hp. apply (lip_of_rderiv _ (fun t => - (Om * Om) * X m1 m2 a2 x0 v0 t)); auto.
-  { eapply cont_of_derive; intros; apply derive_V; auto. }
-  intros t Ht. split; [apply rderiv_of_derive, derive_V; auto|].
-  rewrite <- Ropp_mult_distr_l, Rabs_Ropp. apply abs_scal; [lra|]. unfold X. fold Om.
-  eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult.
-  assert (Rabs (cos (Om * t)) <= 1) by (apply Rabs_le, COS_bound).
-  assert (Rabs (sin (Om * t)) <= 1) by (apply Rabs_le, SIN_bound). nra.
+  unfold V. fold Om. eapply Rle_trans; [apply Rabs_triang|].
+  rewrite Rabs_Ropp, !Rabs_mult, (Rabs_pos_eq Om) by lra.
+  assert (0 <= Om * Rabs p) by (pose proof (Rabs_pos p); positive). pose proof (Rabs_pos q).
+  assert (Rabs q * Rabs (cos (Om * t)) <= Rabs q * 1) by (scale; apply Rabs_le, COS_bound).
+  assert (Om * Rabs p * Rabs (sin (Om * t)) <= Om * Rabs p * 1) by (scale; apply Rabs_le, SIN_bound). lra.
 Qed.
+Lemma speed_later p q r t : V m1 m2 a2 p q (t + r) = V m1 m2 a2 (X m1 m2 a2 p q r) (V m1 m2 a2 p q r) t.
+Proof. unfold V, X. fold Om. rewrite Rmult_plus_distr_l, cos_plus, sin_plus. field. lra. Qed.
 
-Lemma free_period x0 v0 k t : V m1 m2 a2 x0 v0 (t + INR k * (2 * PI / Om)) = V m1 m2 a2 x0 v0 t.
-Proof.
-  unfold V. fold Om. replace (Om * (t + INR k * (2 * PI / Om))) with (Om * t + 2 * INR k * PI) by (field; lra).
-  rewrite cos_period, sin_period. auto.
-Qed.
-
-(** after some number of the force's periods, as late as one likes, the stuck motion nearly repeats itself *)
+(** after some number of the force's periods, as late as one likes, the stuck motion nearly repeats itself:
+    the states of the free oscillation then come near to some state again and again *)
 Lemma nearly_repeats x0 v0 e N : 0 < e -> exists n, (N <= n)%nat /\ forall t, 0 <= t ->
   Rabs (yV x0 v0 (t + INR n * (2 * PI / om)) - yV x0 v0 t) <= e.
 Proof.
-  intros He. destruct (free_lip x0 v0) as (K & HK & L). pose proof PI_RGT_0 as P0. set (tau := 2 * PI / Om).
-  assert (Tp : 0 < tau) by (unfold tau; positive). set (g := Rmin 1 (e / (K * tau))).
-  assert (Hg : 0 < g) by positive. assert (G1 : g <= 1) by apply Rmin_l. assert (G2 : g <= e / (K * tau)) by apply Rmin_r.
-  destruct (recurs (Om / om) g N ltac:(positive) ltac:(lra)) as (n & k & Hn & Near). exists n. split; auto.
-  intros t Ht. set (d := INR n * (Om / om) - INR k) in *. apply Rabs_def2 in Near.
-  assert (Kg : K * (g * tau) <= e).
-  { apply Rle_trans with (K * (e / (K * tau) * tau)); [|right; field; split; lra].
-    apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; lra. }
-  unfold yV, v. rewrite rV_period by auto.
-  replace (V m1 m2 a2 x0 v0 (t + INR n * (2 * PI / om))) with (V m1 m2 a2 x0 v0 (t + tau + d * tau)).
-  2: { rewrite <- (free_period x0 v0 k (t + tau + d * tau)), <- (free_period x0 v0 1 (t + INR n * (2 * PI / om))).
-    f_equal. unfold d, tau. simpl INR. field. split; lra. }
-  rewrite <- (free_period x0 v0 1 t) at 1. rewrite Rmult_1_l. fold tau.
-  match goal with |- Rabs ?z <= _ => replace z with (V m1 m2 a2 x0 v0 (t + tau + d * tau) - V m1 m2 a2 x0 v0 (t + tau))
-    by ring end. destruct (Rle_dec 0 d).
-  - pose proof (L (t + tau) (t + tau + d * tau)) as Q. assert (0 <= d * tau) by positive.
-    specialize (Q ltac:(lra)). eapply Rle_trans; [exact Q|]. eapply Rle_trans; [|exact Kg].
-    apply Rmult_le_compat_l; [lra|]. replace (t + tau + d * tau - (t + tau)) with (d * tau) by ring.
-    apply Rmult_le_compat_r; lra.
-  - pose proof (L (t + tau + d * tau) (t + tau)) as Q. assert (0 <= (1 + d) * tau) by (apply Rmult_le_pos; lra).
-    assert (0 <= - d * tau) by (apply Rmult_le_pos; lra).
-    specialize (Q ltac:(lra)). rewrite Rabs_minus_sym. eapply Rle_trans; [exact Q|]. eapply Rle_trans; [|exact Kg].
-    apply Rmult_le_compat_l; [lra|]. replace (t + tau - (t + tau + d * tau)) with (- d * tau) by ring.
-    apply Rmult_le_compat_r; lra.
+  intros He. set (per := 2 * PI / om). set (p n := X m1 m2 a2 x0 v0 (INR n * per)).
+  set (q n := V m1 m2 a2 x0 v0 (INR n * per)).
+  assert (B : forall t, Rabs (X m1 m2 a2 x0 v0 t) <= sqrt (2 * energy m1 m2 a2 x0 v0 v0 / a2)).
+  { intros t. apply (energy_within m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _
+      (Req_le _ _ (ellipse_energy m1 m2 a2 Hm1 Hm2 Ha2 x0 v0 t))). }
+  set (C := sqrt (2 * energy m1 m2 a2 x0 v0 v0 / a2) + (Rabs v0 + Om * Rabs x0)).
+  destruct (PeriodicMotion.cluster p q (fun _ => 0) C) as (y0 & w0 & z0 & Near).
+  { intros n. pose proof (B (INR n * per)). pose proof (speed_below x0 v0 (INR n * per)).
+    pose proof (Rabs_pos (p n)). pose proof (Rabs_pos (q n)). fold (p n) (q n) in *. rewrite Rabs_R0.
+    unfold C. lra. }
+  set (d := e / (2 * (1 + Om))). assert (Hd : 0 < d) by positive.
+  destruct (Near d 0%nat Hd) as (i & _ & I1 & I2 & _), (Near d (i + N)%nat Hd) as (j & Hj & J1 & J2 & _).
+  exists (j - i)%nat. split; [lia|]. intros t _. unfold yV, v. rewrite rV_period, minus_INR by (auto; lia).
+  replace (_ + _ - _) with (V m1 m2 a2 (p j - p i) (q j - q i) (t - INR i * per)).
+  - eapply Rle_trans; [apply speed_below|]. apply Rabs_def2 in I1, I2, J1, J2.
+    assert (Rabs (q j - q i) <= 2 * d) by (apply Rabs_le; lra).
+    assert (Rabs (p j - p i) <= 2 * d) by (apply Rabs_le; lra).
+    assert (Om * Rabs (p j - p i) <= Om * (2 * d)) by scale.
+    assert (2 * d * (1 + Om) = e) by (unfold d; field; lra). lra.
+  - transitivity (V m1 m2 a2 (p j) (q j) (t - INR i * per) - V m1 m2 a2 (p i) (q i) (t - INR i * per));
+      [unfold V; ring|].
+    unfold p, q. rewrite <- !speed_later. fold per. replace (t - INR i * per + INR i * per) with t by ring.
+    replace (t - INR i * per + INR j * per) with (t + (INR j - INR i) * per) by ring. ring.
 Qed.
 
 (** so what the motion tends to asks for no more than b, and is a motion *)
@@ -221,12 +187,10 @@ Proof.
       rewrite Om_sq. unfold yX. rewrite <- Q. field. lra. }
     apply rderiv_minus; [apply rderiv_scal|]; apply rderiv_of_derive; [apply DV|apply derive_drive; auto].
   - intros p q Hp. apply le_epsilon. intros e He.
-    destruct (To (m2 * (e / 4) ^ 2 / 2)) as (T & HT & Near); [positive|].
-    assert (Close : forall t, T <= t -> Rabs (v2 t - yV x0 v0 t) <= e / 4).
-    { intros t Ht. specialize (Near t Ht). unfold energy in Near. apply Rabs_le, sq_le_abs; [lra|].
-      pose proof (pow2_ge_0 (x t - yX x0 v0 t)) as S1. pose proof (pow2_ge_0 (v1 t - yV x0 v0 t)) as S2.
-      apply (Rmult_le_compat_l a2) in S1; [|lra]. apply (Rmult_le_compat_l m1) in S2; [|lra].
-      apply Rmult_le_reg_l with m2; lra. }
+    destruct (energy_close m1 m2 a2 Hm1 Hm2 Ha2 (e / 4) ltac:(lra)) as (E & HE & Small).
+    destruct (To E HE) as (T & HT & Near).
+    assert (Close : forall t, T <= t -> Rabs (v2 t - yV x0 v0 t) <= e / 4)
+      by (intros t Ht; apply (Small _ _ _ (Near t Ht))).
     pose proof PI_RGT_0. assert (Pp : 0 < 2 * PI / om) by positive.
     destruct (nat_above T (2 * PI / om) Pp) as (N & HN).
     destruct (nearly_repeats x0 v0 (e / 4) N ltac:(lra)) as (n & Hn & Rep). set (S := INR n * (2 * PI / om)) in *.
@@ -234,8 +198,7 @@ Proof.
     { apply le_INR in Hn. assert (INR N * (2 * PI / om) <= S) by (apply Rmult_le_compat_r; lra). lra. }
     pose proof (Rep p ltac:(lra)) as E1. pose proof (Rep q ltac:(lra)) as E2.
     pose proof (Close (p + S) ltac:(lra)) as C1. pose proof (Close (q + S) ltac:(lra)) as C2.
-    pose proof (only_gentle m1 m2 0 a2 b Hm2 Hb _ _ _ _ _ (p + S) (q + S) H ltac:(lra)) as G. apply Rabs_inv in E1.
-    apply Rabs_inv in E2. apply Rabs_inv in C1. apply Rabs_inv in C2. apply Rabs_inv in G. apply Rabs_le; lra.
+    pose proof (only_gentle m1 m2 0 a2 b Hm2 Hb _ _ _ _ _ (p + S) (q + S) H ltac:(lra)) as G. by_sizes.
 Qed.
 
 (** *** a1 = 0, F < F*: the path of the slip is at most the energy distance from the stuck response over b times the unused share of F*,

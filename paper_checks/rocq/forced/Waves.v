@@ -2,7 +2,7 @@
     its first root, and what a motion does until then: a slip up to its next contact, a stick up to its edge.
     Damping may be below, at or beyond its critical value. *)
 From Coq Require Import List.
-From InertialPair Require Import Dini Stick Arcs.
+From InertialPair Require Import Dini Stick Forced Arcs.
 
 (** *** Waves *)
 (** the cosine and the sine of a frequency whose square is d, which need not be positive: cos (w u) and sin (w u) / w,
@@ -141,14 +141,12 @@ Lemma pval_padd l : forall k u, pval real (padd real l k) u = pval real l u + pv
 Proof.
   induction l as [|c l IH]; intros [|d k] u; cbn [padd]; rewrite ?pval_cons, ?IH; unfold pval; simpl; ring.
 Qed.
-Lemma derive_pval l u : is_derive (pval real l) u (pval real (dpoly real l) u).
+Lemma derive_pval l : forall u, is_derive (pval real l) u (pval real (dpoly real l) u).
 Proof.
-  induction l as [|c l IH].
+  induction l as [|c l IH]; intros u.
   - apply (is_derive_const 0 u).
   - replace (pval real (dpoly real (c :: l)) u) with (pval real l u + u * pval real (dpoly real l) u).
-    + apply (is_derive_ext (fun t => c + t * pval real l t)); [auto|].
-      assert (E : Derive (fun t => pval real l t) u = pval real (dpoly real l) u) by (apply is_derive_unique, IH).
-      auto_derive; [eexists; eauto|]. rewrite E. ring.
+    + apply (is_derive_ext (fun t => c + t * pval real l t)); [auto|]. derive. ring.
     + destruct l as [|d l]; [simpl; ring|]. change (dpoly real (c :: d :: l)) with
         (padd real (d :: l) (0 :: dpoly real (d :: l))). rewrite pval_padd, (pval_cons 0). ring.
 Qed.
@@ -174,15 +172,10 @@ Qed.
 
 Lemma derive_val f (u : R) : is_derive (val f) u (val (slope f) u).
 Proof.
-  pose proof (derive_cosine (square f) u) as C. pose proof (derive_sine (square f) u) as S.
-  pose proof (derive_sval (answer f) (clock f + u)) as D.
-  assert (EC : Derive (fun t => cosine (square f) t) u = - (square f * sine (square f) u)).
-  { apply is_derive_unique, C. }
-  assert (ES : Derive (fun t => sine (square f) t) u = cosine (square f) u) by (apply is_derive_unique, S).
-  assert (ED : Derive (fun t => sval real (answer f) t) (clock f + u) = sval real (dsteady real (answer f)) (clock f + u)).
-  { apply is_derive_unique, D. }
+  pose proof (derive_cosine (square f)). pose proof (derive_sine (square f)).
+  pose proof (derive_sval (answer f)).
   unfold val, sloped; cbn [still drift even odd decay square clock answer]. cbn [add sub mul neg zero real].
-  auto_derive; [repeat split; eexists; eauto|]. rewrite EC, ES, ED. ring.
+  derive. ring.
 Qed.
 
 Lemma val_0 f : val f 0 = still f + even f + sval real (answer f) (clock f).
@@ -191,11 +184,7 @@ Proof. unfold val. rewrite !Rmult_0_r, Ropp_0, exp_0, cosine_0, sine_0, (Rplus_0
 (** *** Positive on an interval *)
 (** the mean value theorem *)
 Lemma val_mean f p q : p < q -> exists c, p < c < q /\ val f q - val f p = val (slope f) c * (q - p).
-Proof.
-  intros Hp. destruct (MVT_cor2 (val f) (val (slope f)) p q Hp) as (c & E & Hc).
-  - intros c _. apply is_derive_Reals, derive_val.
-  - exists c; auto.
-Qed.
+Proof. intros Hp. exact (mean_value _ _ p q Hp (derive_val f)). Qed.
 
 Section Positive.
 Context (f : wave R) (p q : R) (Hp : 0 < val f p) (Hq : 0 < val f q).
@@ -336,9 +325,7 @@ Proof.
   - apply (is_derive_unique_at (val (guard real K k t x v1 v2)) 0); [|apply derive_val].
     apply (is_derive_ext (fun u => sign k * (val (slope (slide real K k t x v1)) u - drive real K k v2 u))).
     { symmetry. apply val_guard. }
-    assert (E : Derive (fun u => val (slope (slide real K k t x v1)) u) 0 =
-      val (slope (slope (slide real K k t x v1))) 0) by (apply is_derive_unique, derive_val).
-    unfold drive; simpl. auto_derive; [eexists; apply derive_val|]. rewrite E, signed_real.
+    pose proof (derive_val (slope (slide real K k t x v1))). unfold drive; simpl. derive. rewrite signed_real.
     destruct k; simpl; field; lra.
 Qed.
 (** on the edge towards k it starts at 0 with slope 0 *)
@@ -371,11 +358,8 @@ Proof.
   { intros r. apply Rmult_eq_reg_l with M; [|lra]. unfold Y, X. rewrite stuck_law, C. field; lra. }
   assert (D : E u <= E 0).
   { assert (D : forall r, is_derive E r (- (2 * a1) * (val (slope X) r * val (slope X) r))).
-    { intros r. unfold E, Y. assert (E0 : Derive (fun u => val X u) r = val (slope X) r).
-      { apply is_derive_unique, derive_val. }
-      assert (E1 : Derive (fun u => val (slope X) u) r = val (slope (slope X)) r).
-      { apply is_derive_unique, derive_val. }
-      auto_derive; [repeat split; eexists; apply derive_val|]. rewrite E0, E1, A. unfold Y. field; lra. }
+    { intros r. pose proof (derive_val X). pose proof (derive_val (slope X)). unfold E, Y. derive. rewrite A.
+      unfold Y. field; lra. }
     apply (rderiv_mono E 0 u (fun r => - (2 * a1) * (val (slope X) r * val (slope X) r))); [|lra|].
     - eapply cont_of_derive. exact D.
     - split; [apply rderiv_of_derive, D|nra]. }
@@ -397,12 +381,10 @@ Qed.
 Lemma same_way y v X V t0 T : cont y -> 0 <= t0 -> 0 <= T -> (forall t, 0 <= t -> rderiv y t (v t)) ->
   (forall u, is_derive X u (V u)) -> (forall u, 0 <= u <= T -> v (t0 + u) = V u) -> y (t0 + T) = y t0 + (X T - X 0).
 Proof.
-  intros C Ht HT Y D E. assert (Q : forall c, c * (y (t0 + T) - X T) <= c * (y (t0 + 0) - X 0)).
-  { intros c. apply (dini_mono (fun u => c * (y (t0 + u) - X u))); [|lra|].
-    - apply cont_scal, cont_minus; [apply cont_shift; auto|]. exact (cont_of_derive X V D).
-    - intros r Hr. apply rderiv_dini with (c * (v (t0 + r) - V r)); [rewrite E by lra; lra|].
-      apply rderiv_scal, rderiv_minus; [apply rderiv_earlier, Y; lra|apply rderiv_of_derive, D]. }
-  pose proof (Q 1). pose proof (Q (-1)). rewrite Rplus_0_r in *. lra.
+  intros C Ht HT Y D E. assert (Cy : cont (fun u => y (t0 + u))) by continuous.
+  pose proof (same_gain (fun u => y (t0 + u)) (fun u => v (t0 + u)) X V 0 T Cy ltac:(lra) D
+    ltac:(intros u Hu; split;
+    [apply rderiv_earlier, Y|apply E]; lra)) as Q. cbv beta in Q. rewrite Rplus_0_r in Q. lra.
 Qed.
 
 (** From lo to hi the motion runs along every arc on which it starts. *)
@@ -426,14 +408,13 @@ Theorem slip_phase k T : 0 <= T -> t0 + T <= final -> (forall u, 0 <= u < T -> 0
 Proof.
   intros HT HF G.
   apply (H t0 T (val (slide k)) (val (slope (slide k))) (drive real K k (v2 t0)) (fun _ => sign k)); auto.
-  - constructor.
+  - apply slip_arc.
+    + destruct k; auto.
     + apply derive_val.
-    + intros t. replace ((sval real push (t0 + t) - a2 * val (slide k) t - a1 * val (slope (slide k)) t - b * sign k) / m1)
-        with (val (slope (slope (slide k))) t); [apply derive_val|].
+    + intros t. replace (_ / m1) with (val (slope (slope (slide k))) t); [apply derive_val|].
       apply Rmult_eq_reg_l with m1; [|lra]. unfold slide. rewrite slide_law. field; lra.
     + intros t. unfold drive; simpl. rewrite signed_real. auto_derive; auto. field; lra.
-    + intros t Ht. specialize (G t Ht). unfold guard in G. rewrite val_guard in G. fold (slide k) in G.
-      destruct k; simpl in G |- *; (split; [lra|split; intros; lra]).
+    + intros t Ht. specialize (G t Ht). unfold guard in G. rewrite val_guard in G. exact G.
   - symmetry. apply slide_start.
   - symmetry. apply slide_start.
   - unfold drive; simpl. ring.
@@ -446,17 +427,15 @@ Theorem stick_phase T : 0 <= T -> t0 + T <= final -> v1 t0 = v2 t0 ->
   v2 (t0 + u) = val (slope stuck) u.
 Proof.
   intros HT HF Ev G. pose proof (stuck_law t0 (x t0) (v1 t0)) as L. fold stuck in L.
-  apply (H t0 T (val stuck) (val (slope stuck)) (val (slope stuck)) (fun t => m2 / b * val (slope (slope stuck)) t));
-    auto.
-  - constructor.
+  assert (HM : 0 < M) by positive. eapply (H t0 T (val stuck) (val (slope stuck)) (val (slope stuck))); auto.
+  - apply (stuck_arc m1 m2 a1 a2 b Hm1 Hm2 Hb); fold M.
     + apply derive_val.
-    + intros t. replace ((sval real push (t0 + t) - a2 * val stuck t - a1 * val (slope stuck) t
-        - b * (m2 / b * val (slope (slope stuck)) t)) / m1) with (val (slope (slope stuck)) t); [apply derive_val|].
-      apply Rmult_eq_reg_l with m1; [|lra]. specialize (L t). unfold M in L. field_simplify; lra.
-    + intros t. replace (b * (m2 / b * val (slope (slope stuck)) t) / m2) with (val (slope (slope stuck)) t)
-        by (field; lra). apply derive_val.
-    + intros t Ht. specialize (G t Ht). unfold grip in G. rewrite !val_grip in G. fold stuck in G. simpl in G.
-      assert (0 < m2 / b) by positive. assert (E : m2 / b * (b / m2) = 1) by (field; lra). nra.
+    + intros t. rewrite <- L. replace (_ / M) with (val (slope (slope stuck)) t) by (field; lra).
+      apply derive_val.
+    + intros t Ht. rewrite <- L. specialize (G t Ht). unfold grip in G. rewrite !val_grip in G.
+      fold stuck in G. simpl in G. set (acc := val (slope (slope stuck)) t) in *.
+      replace (m2 * (M * acc) / M) with (m2 * acc) by (field; lra).
+      assert (m2 * (b / m2) = b) by (field; lra). nra.
   - symmetry. apply stuck_start.
   - symmetry. apply stuck_start.
   - rewrite <- Ev. symmetry. apply stuck_start.

@@ -12,6 +12,14 @@ Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
 Let a2_om : a2 = M * (om * om).
 Proof. unfold om, M. rewrite (omega_sq m1 m2 a2) by auto. field. lra. Qed.
 
+(** the cosines of the angles of both arcs *)
+Lemma arc_cosines xi : 0 < xi <= 1 -> let c1 := 1 - xi / 2 - xi ^ 2 / 4 in
+  let c2 := (1 + xi / 2 + xi ^ 2 / 4) / (1 + xi) in 0 < c1 < 1 /\ 0 < c2 < 1 /\ (1 + xi) * c2 = 2 - c1.
+Proof.
+  intros Xi c1 c2. assert (E : (1 + xi) * c2 = 2 - c1) by (unfold c1, c2; field; lra).
+  repeat split; auto; unfold c1, c2 in *; nra.
+Qed.
+
 Section Motion.
 Variables U x v1 v2 s : R -> R.
 Hypotheses (H : forced m1 m2 0 a2 b U x v1 v2 s) (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= F * (t - r)).
@@ -100,8 +108,7 @@ Proof.
   intros HD Hold HT XT VT xi. assert (Xi : 0 < xi <= 1) by (unfold xi; split; [positive|undivide F; lra]).
   assert (EX : a2 * D = xi * F) by (unfold xi; field; lra). pose proof PI_RGT_0.
   set (c1 := 1 - xi / 2 - xi ^ 2 / 4). set (c2 := (1 + xi / 2 + xi ^ 2 / 4) / (1 + xi)).
-  assert (C1 : 0 < c1 < 1) by (unfold c1; nra). assert (C2 : 0 < c2 < 1).
-  { unfold c2. split; [apply Rdiv_lt_0_compat; nra|]. undivide (1 + xi). nra. }
+  destruct (arc_cosines xi Xi) as (C1 & C2 & Ec). fold c1 c2 in C1, C2, Ec.
   assert (Ac : forall c, 0 < c < 1 -> 0 < acos c < PI / 2 /\ cos (acos c) = c).
   { intros c Hc. pose proof (cos_acos c ltac:(lra)) as E. pose proof (acos_bound c) as B. split; [|exact E]. split.
     - destruct (Req_dec (acos c) 0) as [Z|]; [rewrite Z, cos_0 in E|]; lra.
@@ -148,9 +155,7 @@ Theorem weak_attained D : 0 < D -> a2 * D <= F -> let xi := a2 * D / F in
 Proof.
   intros HD Hold xi t1 t2. assert (Xi : 0 < xi <= 1) by (unfold xi; split; [positive|undivide F; lra]).
   set (c1 := 1 - xi / 2 - xi ^ 2 / 4) in *. set (c2 := (1 + xi / 2 + xi ^ 2 / 4) / (1 + xi)) in *.
-  assert (C1 : 0 < c1 < 1) by (unfold c1; nra). assert (C2 : 0 < c2 < 1).
-  { unfold c2. split; [apply Rdiv_lt_0_compat; nra|]. undivide (1 + xi). nra. }
-  assert (E2 : (1 + xi) * c2 = 2 - c1) by (unfold c2, c1; field; lra).
+  destruct (arc_cosines xi Xi) as (C1 & C2 & E2). fold c1 c2 in C1, C2, E2.
   set (R := F / a2). assert (HR : 0 < R) by (unfold R; positive). assert (DR : D = xi * R) by (unfold xi, R; field; lra).
   assert (FR : F = M * (om * om) * R) by (rewrite <- a2_om; unfold R; field; lra).
   assert (MP : 0 < M) by (unfold M; lra).
@@ -162,10 +167,8 @@ Proof.
   assert (Sin : sin al = (1 + xi) * sin be).
   { pose proof (sin_ge_0 al ltac:(lra) ltac:(lra)) as Sa. pose proof (sin_ge_0 be ltac:(lra) ltac:(lra)) as Sb.
     pose proof (sin2_cos2 al) as Qa. pose proof (sin2_cos2 be) as Qb. unfold Rsqr in Qa, Qb. rewrite Cal in Qa. rewrite Cbe in Qb.
-    assert (Sq : sin al ^ 2 = ((1 + xi) * sin be) ^ 2).
-    { replace (sin al ^ 2) with (1 - c1 * c1) by (rewrite <- Qa; ring).
-      replace (((1 + xi) * sin be) ^ 2) with ((1 + xi) ^ 2 * (1 - c2 * c2)) by (rewrite <- Qb; ring).
-      replace ((1 + xi) ^ 2 * (1 - c2 * c2)) with ((1 + xi) ^ 2 - ((1 + xi) * c2) ^ 2) by ring. rewrite E2. unfold c1. field. }
+    apply (f_equal (Rmult ((1 + xi) ^ 2))) in Qb. pose proof (f_equal (fun z => z ^ 2) E2) as Qc.
+    cbv beta in Qc. assert (sin al ^ 2 = ((1 + xi) * sin be) ^ 2) by (unfold c1 in Qa, Qc; lra).
     assert (0 <= (1 + xi) * sin be) by positive. nra. }
   (* the force: F, then -F, then a2 D *)
   set (U2 := join t2 (fun t => F * t1 - F * t) (fun t => F * t1 - F * t2 + a2 * D * t)).
