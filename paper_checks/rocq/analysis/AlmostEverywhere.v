@@ -36,46 +36,55 @@ Lemma moves_snoc f l r c : moves f (l ++ [(r, c)]) = moves f l + Rabs (f c - f r
 Proof. induction l as [|(p, q) l IH]; simpl; [ring|rewrite IH; ring]. Qed.
 
 (** *** What is absolutely continuous *)
+Lemma ac_0 : ac (fun _ => 0).
+Proof.
+  intros T HT e He. exists 1. split; [lra|]. intros l _ _. apply Rle_trans with 0; [right|lra].
+  induction l as [|(p, q) l IH]; simpl; [auto|]. rewrite IH, Rminus_diag_eq, Rabs_R0; auto; lra.
+Qed.
+(** what moves no more than two such functions and the time, up to a factor, which may depend on T *)
+Lemma ac_by f g h : ac f -> ac g -> (forall T, 0 <= T -> exists K, 0 <= K /\ forall r t, 0 <= r <= t ->
+  t <= T -> Rabs (h t - h r) <= K * (Rabs (f t - f r) + Rabs (g t - g r) + (t - r))) -> ac h.
+Proof.
+  intros F G B T HT e He. destruct (B T HT) as (K & HK & Q). set (c := e / (3 * (K + 1))).
+  assert (Hc : 0 < c) by positive. destruct (F T HT c Hc) as (d1 & H1 & K1), (G T HT c Hc) as (d2 & H2 & K2).
+  smaller c (Rmin d1 d2). intros l C L. specialize (K1 l C ltac:(lra)). specialize (K2 l C ltac:(lra)).
+  assert (M : forall l lo, 0 <= lo -> chain l lo T -> moves h l <= K * (moves f l + moves g l + lengths l)).
+  { clear l C L K1 K2. induction l as [|(p, q) l IH]; simpl; intros lo Hlo C; [lra|]. destruct C as (Hp & C).
+    pose proof (chain_le _ _ _ C). specialize (IH q ltac:(lra) C). specialize (Q p q ltac:(lra) ltac:(lra)).
+    lra. }
+  specialize (M l 0 (Rle_refl 0) C). replace e with ((K + 1) * (3 * c)) by (unfold c; field; lra). nra.
+Qed.
 Lemma ac_plus f g : ac f -> ac g -> ac (fun t => f t + g t).
 Proof.
-  intros F G T HT e He. destruct (F T HT (e / 2)) as (d1 & H1 & K1); [lra|].
-  destruct (G T HT (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros l C L. specialize (K1 l C ltac:(lra)).
-  specialize (K2 l C ltac:(lra)). cut (moves (fun t => f t + g t) l <= moves f l + moves g l); [lra|]. clear.
-  induction l as [|(p, q) l IH]; simpl; [lra|].
-  replace (f q + g q - (f p + g p)) with ((f q - f p) + (g q - g p)) by ring.
-  pose proof (Rabs_triang (f q - f p) (g q - g p)). lra.
+  intros F G. apply (ac_by f g); auto. intros T _. exists 1. split; [lra|]. intros r t Hr _.
+  pose proof (Rabs_triang (f t - f r) (g t - g r)) as Q.
+  replace (_ + _) with (f t + g t - (f r + g r)) in Q by ring. lra.
 Qed.
 Lemma ac_scal c f : ac f -> ac (fun t => c * f t).
 Proof.
-  intros F T HT e He. pose proof (Rabs_pos c). destruct (F T HT (e / (Rabs c + 1))) as (d & Hd & K).
-  { positive. }
-  exists d; split; auto. intros l C L. specialize (K l C L).
-  replace (moves (fun t => c * f t) l) with (Rabs c * moves f l).
-  - apply Rmult_le_compat_l with (r := Rabs c) in K; auto. apply Rle_trans with (1 := K).
-    assert (0 < e / (Rabs c + 1)) by positive.
-    replace e with ((Rabs c + 1) * (e / (Rabs c + 1))) at 2 by (field; lra). nra.
-  - clear. induction l as [|(p, q) l IH]; simpl; [ring|]. rewrite <- IH. rewrite <- Rmult_minus_distr_l, Rabs_mult.
-    ring.
+  intros F. apply (ac_by f f); auto. intros T _. exists (Rabs c). split; [positive|]. intros r t Hr _.
+  rewrite <- Rmult_minus_distr_l, Rabs_mult. pose proof (Rabs_pos (f t - f r)). scale.
 Qed.
 (** Lipschitz functions, the constant depending on T *)
 Lemma ac_lip f : (forall T, 0 <= T -> exists K, 0 <= K /\ forall r t, 0 <= r <= t -> t <= T ->
   Rabs (f t - f r) <= K * (t - r)) -> ac f.
 Proof.
-  intros L T HT e He. destruct (L T HT) as (K & HK & Q). exists (e / (K + 1)); split; [positive|]. intros l C Ln.
-  assert (Mv : moves f l <= K * lengths l).
-  { assert (G : forall l lo, 0 <= lo -> chain l lo T -> moves f l <= K * lengths l).
-    { clear l C Ln. induction l as [|(p, q) l IH]; simpl; intros lo Hlo C; [lra|]. destruct C as (Hp & C).
-      pose proof (chain_le _ _ _ C). specialize (IH q ltac:(lra) C). specialize (Q p q ltac:(lra) ltac:(lra)). lra. }
-    apply (G l 0); auto; lra. }
-  assert (0 < e / (K + 1)) by positive. apply Rle_trans with (K * (e / (K + 1))).
-  - nra.
-  - replace e with ((K + 1) * (e / (K + 1))) at 2 by (field; lra). nra.
+  intros L. apply (ac_by _ _ f ac_0 ac_0). intros T HT. destruct (L T HT) as (K & HK & Q). exists K.
+  split; auto. intros r t Hr Ht. rewrite Rminus_0_r, Rabs_R0, !Rplus_0_l. auto.
+Qed.
+(** of what is equal from 0 on *)
+Lemma ac_ext f g : (forall t, 0 <= t -> f t = g t) -> ac f -> ac g.
+Proof.
+  intros E F. apply (ac_by f f); auto. intros T _. exists 1. split; [lra|]. intros r t Hr _.
+  rewrite <- !E by lra. pose proof (Rabs_pos (f t - f r)). lra.
 Qed.
 Lemma ac_linear k : ac (fun t => k * t).
 Proof.
   apply ac_lip. exists (Rabs k). split; [apply Rabs_pos|]. intros r t Hr _.
   rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq (t - r)); lra.
 Qed.
+Lemma ac_const c : ac (fun _ => c).
+Proof. apply ac_lip. exists 0. split; [lra|]. intros. rewrite Rminus_diag_eq, Rabs_R0 by auto. lra. Qed.
 Lemma cont_ac f : ac f -> cont f.
 Proof.
   intros F t Ht e He. destruct (F (t + 1) ltac:(lra) (e / 2) ltac:(lra)) as (d & Hd & K).
@@ -298,14 +307,3 @@ Proof.
   pose proof (ac_grows (fun t => -1 * t) (fun _ => 0) N 0 T (ac_linear (-1)) HN ltac:(lra)) as G.
   cut (-1 * 0 <= -1 * T); [lra|]. apply G. intros t Ht Nt. exfalso. eauto.
 Qed.
-(** of what is equal from 0 on *)
-Lemma ac_ext f g : (forall t, 0 <= t -> f t = g t) -> ac f -> ac g.
-Proof.
-  intros E F T HT e He. destruct (F T HT e He) as (d & Hd & K). exists d; split; auto. intros l Ch L.
-  replace (moves g l) with (moves f l); [auto|]. assert (G : forall l lo, 0 <= lo -> chain l lo T ->
-    moves f l = moves g l).
-  { clear - E. induction l as [|(p, q) l IH]; simpl; auto. intros lo Hlo (Hp & Ch). rewrite (IH q), !E; auto; lra. }
-  apply (G l 0); auto; lra.
-Qed.
-Lemma ac_const c : ac (fun _ => c).
-Proof. apply ac_lip. exists 0. split; [lra|]. intros. rewrite Rminus_diag_eq, Rabs_R0 by auto. lra. Qed.

@@ -48,11 +48,19 @@ Definition cont (f : R -> R) :=
   forall t, 0 <= t -> forall eps, 0 < eps -> exists d, 0 < d /\
   forall s, 0 <= s -> Rabs (s - t) < d -> Rabs (f s - f t) < eps.
 
-Lemma little_le f g : (forall h, 0 < h -> Rabs (g h) <= Rabs (f h)) -> little f -> little g.
+(** what holds for all small h > 0, and what follows from it *)
+Lemma soon {P Q : R -> Prop} : (exists d, 0 < d /\ forall h, 0 < h < d -> P h) ->
+  (forall h, 0 < h -> P h -> Q h) -> exists d, 0 < d /\ forall h, 0 < h < d -> Q h.
+Proof. intros (d & Hd & K) F. exists d. split; auto. intros h Hh. apply F; [lra|auto]. Qed.
+Lemma soon_both {P P' Q : R -> Prop} : (exists d, 0 < d /\ forall h, 0 < h < d -> P h) ->
+  (exists d, 0 < d /\ forall h, 0 < h < d -> P' h) -> (forall h, 0 < h -> P h -> P' h -> Q h) ->
+  exists d, 0 < d /\ forall h, 0 < h < d -> Q h.
 Proof.
-  intros E H e He; destruct (H e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-  eapply Rle_trans; [apply E; lra|auto].
+  intros (d & Hd & K) (d' & Hd' & K') F. smaller d d'. intros h Hh. apply F; [lra|apply K|apply K']; lra.
 Qed.
+
+Lemma little_le f g : (forall h, 0 < h -> Rabs (g h) <= Rabs (f h)) -> little f -> little g.
+Proof. intros E H e He. apply (soon (H e He)). intros h Hh. apply Rle_trans. auto. Qed.
 Lemma little_ext f g : (forall h, f h = g h) -> little f -> little g.
 Proof. intros E. apply little_le. intros. rewrite E. lra. Qed.
 
@@ -63,16 +71,14 @@ Proof. intros e He; exists 1; split; [lra|]. intros h Hh; rewrite Rabs_R0; nra. 
 
 Lemma little_plus f g : little f -> little g -> little (fun h => f h + g h).
 Proof.
-  intros F G e He. destruct (F (e/2)) as (d1 & ? & K1); [lra|]. destruct (G (e/2)) as (d2 & ? & K2); [lra|].
-  smaller d1 d2. intros h Hh.
-  assert (Rabs (f h) <= e/2*h) by (apply K1; lra). assert (Rabs (g h) <= e/2*h) by (apply K2; lra).
+  intros F G e He. apply (soon_both (F (e / 2) ltac:(lra)) (G (e / 2) ltac:(lra))). intros h _ A B.
   pose proof (Rabs_triang (f h) (g h)). lra.
 Qed.
 
 Lemma little_scal c f : little f -> little (fun h => c * f h).
 Proof.
-  intros F e He. pose proof (Rabs_pos c). destruct (F (e / (Rabs c + 1))) as (d & ? & K); [positive|].
-  exists d; split; auto. intros h Hh. rewrite Rabs_mult. specialize (K h Hh). pose proof (Rabs_pos (f h)).
+  intros F e He. pose proof (Rabs_pos c). apply (soon (F (e / (Rabs c + 1)) ltac:(positive))). intros h Hh K.
+  rewrite Rabs_mult. pose proof (Rabs_pos (f h)).
   replace e with (e / (Rabs c + 1) * (Rabs c + 1)) by (field; lra). nra.
 Qed.
 
@@ -124,8 +130,7 @@ Qed.
 (** right derivatives of functions that are equal from some time on *)
 Lemma rderiv_ext f g t l : (forall u, t <= u -> f u = g u) -> rderiv f t l -> rderiv g t l.
 Proof.
-  intros E H e He. destruct (H e He) as (d & ? & K). exists d; split; auto. intros h Hh.
-  rewrite <- !E by lra. apply K; auto.
+  intros E H e He. apply (soon (H e He)). intros h Hh. rewrite <- !E by lra. auto.
 Qed.
 
 Lemma rderiv_near f g t l d : 0 < d -> (forall u, t <= u < t + d -> f u = g u) -> rderiv f t l -> rderiv g t l.
@@ -171,22 +176,26 @@ Proof. intros ->; auto. Qed.
 
 Lemma rderiv_dini f t l k : l <= k -> rderiv f t l -> dini_le f t k.
 Proof.
-  intros Hl H e He. destruct (H e He) as (d & ? & K). exists d; split; auto. intros h Hh.
-  specialize (K h Hh). apply Rabs_inv in K. nra.
+  intros Hl H e He. apply (soon (H e He)). intros h Hh K. apply Rabs_inv in K. nra.
 Qed.
 Lemma dini_weaken f t l k : l <= k -> dini_le f t l -> dini_le f t k.
-Proof.
-  intros Hl D e He. destruct (D e He) as (d & ? & K). exists d; split; auto. intros h Hh. specialize (K h Hh). nra.
-Qed.
+Proof. intros Hl D e He. apply (soon (D e He)). intros h Hh K. nra. Qed.
 Lemma dini_scal c f t k : 0 < c -> dini_le f t k -> dini_le (fun u => c * f u) t (c * k).
 Proof.
-  intros Hc D e He. destruct (D (e / c)) as (d & ? & K); [positive|]. exists d; split; auto. intros h Hh.
-  specialize (K h Hh). replace e with (c * (e / c)) by (field; lra). nra.
+  intros Hc D e He. apply (soon (D (e / c) ltac:(positive))). intros h Hh K.
+  replace e with (c * (e / c)) by (field; lra). nra.
 Qed.
 Lemma dini_plus f g t k l : dini_le f t k -> rderiv g t l -> dini_le (fun u => f u + g u) t (k + l).
 Proof.
-  intros F G e He. destruct (F (e / 2)) as (d & Hd & K); [lra|]. destruct (G (e / 2)) as (d' & Hd' & K'); [lra|].
-  smaller d d'. intros h Hh. specialize (K h ltac:(lra)). specialize (K' h ltac:(lra)). apply Rabs_inv in K'. lra.
+  intros F G e He. apply (soon_both (F (e / 2) ltac:(lra)) (G (e / 2) ltac:(lra))). intros h _ K K'.
+  apply Rabs_inv in K'. lra.
+Qed.
+(** an increment k h - p h + o(h), where p takes little or nothing back *)
+Lemma dini_increment f t k p : little (fun h => f (t + h) - f t - k * h + p h) ->
+  (forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d -> - e * h <= p h) -> dini_le f t k.
+Proof.
+  intros F P e He. apply (soon_both (F (e / 2) ltac:(lra)) (P (e / 2) ltac:(lra))). intros h _ A B.
+  apply Rabs_inv in A. lra.
 Qed.
 
 Lemma cont_ext f g : (forall u, 0 <= u -> f u = g u) -> cont f -> cont g.
@@ -202,8 +211,8 @@ Proof.
   intros C He. destruct (proj1 (filterlim_locally _ _) C (mkposreal e He)) as (d & K). exists d.
   split; [apply cond_pos|exact K].
 Qed.
-Lemma cont_of_continuous f : (forall t, continuous f t) -> cont f.
-Proof. intros C t _ e He. destruct (continuous_near f t e (C t) He) as (d & Hd & K). exists d; split; auto. Qed.
+Lemma cont_of_continuous f : (forall t, 0 <= t -> continuous f t) -> cont f.
+Proof. intros C t Ht e He. destruct (continuous_near f t e (C t Ht) He) as (d & Hd & K). eauto. Qed.
 Lemma cont_iff f : cont f <-> forall t, continuous (fun u => f (Rmax 0 u)) t.
 Proof.
   split; intros C.
@@ -340,8 +349,7 @@ Proof.
   intros C Hst D. assert (f t - k * t <= f s - k * s); [|lra]. apply (dini_mono (fun u => f u - k * u)); auto.
   { apply cont_minus; auto. apply (lip_cont (fun u => k * u) (Rabs k)); [apply Rabs_pos|].
     intros r u Hr. replace (k * u - k * r) with (k * (u - r)) by ring. rewrite Rabs_mult, (Rabs_pos_eq (u - r)); lra. }
-  intros r Hr e He. destruct (D r Hr e He) as (d & ? & K). exists d; split; auto. intros h Hh.
-  specialize (K h Hh). lra.
+  intros r Hr e He. apply (soon (D r Hr e He)). intros h Hh K. lra.
 Qed.
 
 (** the same with a right derivative *)
@@ -428,6 +436,4 @@ Proof.
 Qed.
 
 Lemma cont_of_derive f f' : (forall t, is_derive f t (f' t)) -> cont f.
-Proof.
-  intros H. apply cont_of_continuous. intros t. apply @ex_derive_continuous. eexists. apply H.
-Qed.
+Proof. intros H. apply cont_of_continuous. intros t _. apply @ex_derive_continuous. eexists. apply H. Qed.

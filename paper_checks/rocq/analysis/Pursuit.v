@@ -216,22 +216,19 @@ Qed.
 Lemma halving (a : nat -> R) c : (forall n, Rabs (a (S n) - a n) <= c * (/ 2) ^ n) ->
   forall n, Rabs (real (Lim_seq a) - a n) <= 2 * c * (/ 2) ^ n.
 Proof.
-  intros St n. set (r := fun n => 2 * c * (/ 2) ^ n). assert (R0 : is_lim_seq r 0).
-  { replace (Finite 0) with (Rbar_mult (2 * c) 0) by (simpl; f_equal; ring).
+  intros St n. set (lo := fun n => a n - 2 * c * (/ 2) ^ n). set (hi := fun n => a n + 2 * c * (/ 2) ^ n).
+  assert (Near : forall j, lo j <= lo (S j) /\ hi (S j) <= hi j /\ lo j <= a j <= hi j).
+  { intros j. specialize (St j). pose proof (Rabs_pos (a (S j) - a j)). apply Rabs_inv in St.
+    unfold lo, hi; simpl. lra. }
+  destruct (ex_lim_seq_adj lo hi) as ((l & Hl) & (k & Hk) & E); try apply Near.
+  { apply is_lim_seq_ext with (fun j => 4 * c * (/ 2) ^ j); [intros; unfold lo, hi; ring|].
+    replace (Finite 0) with (Rbar_mult (4 * c) 0) by (simpl; f_equal; ring).
     apply is_lim_seq_scal_l, is_lim_seq_geom. rewrite Rabs_pos_eq; lra. }
-  assert (Half : forall j, r (S j) = r j / 2 /\ - (r j / 2) <= a (S j) - a j <= r j / 2).
-  { intros j. split; [unfold r; simpl; field|]. apply Rabs_inv. eapply Rle_trans; [apply St|right; unfold r; field]. }
-  assert (Up : forall j, a j - r j <= a (S j) - r (S j)) by (intros j; destruct (Half j) as (-> & Q); lra).
-  assert (Down : forall j, a (S j) + r (S j) <= a j + r j) by (intros j; destruct (Half j) as (-> & Q); lra).
-  destruct (ex_lim_seq_adj (fun j => a j - r j) (fun j => a j + r j) Up Down) as ((l & Hl) & (k & Hk) & _).
-  { apply is_lim_seq_ext with (fun j => r j + r j); [intros; ring|]. rewrite <- (Rplus_0_r 0).
-    apply is_lim_seq_plus'; auto. }
-  assert (La : is_lim_seq a l).
-  { apply is_lim_seq_ext with (fun j => (a j - r j) + r j); [intros; ring|]. rewrite <- (Rplus_0_r l).
-    apply is_lim_seq_plus'; auto. }
-  assert (Lk : is_lim_seq (fun j => a j + r j) l) by (rewrite <- (Rplus_0_r l); apply is_lim_seq_plus'; auto).
-  rewrite (is_lim_seq_unique _ _ La). pose proof (is_lim_seq_incr_compare _ _ Hl Up n).
-  pose proof (is_lim_seq_decr_compare _ _ Lk Down n). fold (r n). apply Rabs_le. simpl. lra.
+  rewrite (is_lim_seq_unique _ _ Hl), (is_lim_seq_unique _ _ Hk) in E. injection E as <-.
+  rewrite (is_lim_seq_unique a l) by (apply (is_lim_seq_le_le lo a hi); auto; apply Near).
+  pose proof (is_lim_seq_incr_compare _ _ Hl (fun j => proj1 (Near j)) n).
+  pose proof (is_lim_seq_decr_compare _ _ Hk (fun j => proj1 (proj2 (Near j))) n).
+  unfold lo, hi in *. apply Rabs_le. simpl. lra.
 Qed.
 
 (** ** The fixed point of a map of several functions that halves their distances, weighed by exp (lam t) *)
@@ -249,52 +246,50 @@ Proof. revert i. induction n; intros i; simpl; [apply cont_const|apply Cn; auto]
 Let steps T : 0 <= T -> exists C, 0 < C /\ forall n i t, 0 <= t <= T ->
   Rabs (iterate (S n) i t - iterate n i t) <= C * (/ 2) ^ n * exp (lam * t).
 Proof.
-  intros HT. destruct (cont_bounded (iterate 1 true) T (iterate_cont 1 true) HT) as (B1 & H1).
-  destruct (cont_bounded (iterate 1 false) T (iterate_cont 1 false) HT) as (B2 & H2).
-  pose proof (H1 0 ltac:(lra)). pose proof (Rabs_pos (iterate 1 true 0)). pose proof (H2 0 ltac:(lra)).
-  pose proof (Rabs_pos (iterate 1 false 0)). exists (1 + B1 + B2). split; [lra|]. induction n as [|n IH]; intros i t Ht.
+  intros HT.
+  destruct (cont_bounded (fun t => Rabs (iterate 1 true t) + Rabs (iterate 1 false t)) T) as (B & HB); auto.
+  { apply cont_plus; apply cont_abs, iterate_cont. }
+  assert (B1 : forall i t, 0 <= t <= T -> Rabs (iterate 1 i t) <= B).
+  { intros i t Ht. specialize (HB t Ht). apply Rabs_inv in HB. pose proof (Rabs_pos (iterate 1 true t)).
+    pose proof (Rabs_pos (iterate 1 false t)). destruct i; lra. }
+  pose proof (B1 true 0 ltac:(lra)). pose proof (Rabs_pos (iterate 1 true 0)). exists (1 + B). split; [lra|].
+  induction n as [|n IH]; intros i t Ht.
   - rewrite Rminus_0_r. pose proof (exp_ineq1_le (lam * t)). assert (0 <= lam * t) by positive.
-    assert (Rabs (iterate 1 i t) <= 1 + B1 + B2); [|nra]. destruct i; [specialize (H1 t Ht)|specialize (H2 t Ht)]; lra.
-  - replace ((1 + B1 + B2) * (/ 2) ^ S n) with ((1 + B1 + B2) * (/ 2) ^ n / 2) by (simpl; field).
+    specialize (B1 i t Ht). simpl pow. nra.
+  - replace ((1 + B) * (/ 2) ^ S n) with ((1 + B) * (/ 2) ^ n / 2) by (simpl; field).
     apply (Half (iterate (S n)) (iterate n) _ T); auto using iterate_cont. apply Rmult_le_pos; [lra|apply pow_le; lra].
 Qed.
 
 Let limit i t := real (Lim_seq (fun n => iterate n i t)).
 Let limit_near T : 0 <= T -> exists C, 0 < C /\ forall n i t, 0 <= t <= T ->
-  Rabs (limit i t - iterate n i t) <= C * (/ 2) ^ n * exp (lam * t).
+  Rabs (limit i t - iterate n i t) <= C * (/ 2) ^ n.
 Proof.
-  intros HT. destruct (steps T HT) as (C & HC & St). exists (2 * C). split; [lra|]. intros n i t Ht.
-  replace (2 * C * (/ 2) ^ n * exp (lam * t)) with (2 * (C * exp (lam * t)) * (/ 2) ^ n) by ring.
-  apply (halving (fun n => iterate n i t)). intros j. eapply Rle_trans; [apply St; auto|right; ring].
+  intros HT. destruct (steps T HT) as (C & HC & St). pose proof (exp_pos (lam * T)).
+  exists (2 * (C * exp (lam * T))). split; [positive|]. intros n i t Ht.
+  apply (halving (fun n => iterate n i t)). intros j. eapply Rle_trans; [apply St; auto|].
+  assert (exp (lam * t) <= exp (lam * T)).
+  { destruct (Req_dec (lam * t) (lam * T)) as [->|N]; [lra|]. apply Rlt_le, exp_increasing. nra. }
+  rewrite !Rmult_assoc, (Rmult_comm (exp _)). repeat apply Rmult_le_compat_l; auto; [lra|apply pow_le; lra].
 Qed.
 Let limit_cont i : cont (limit i).
 Proof.
-  intros t Ht e He. pose proof (exp_pos (lam * (t + 1))) as Ep.
-  destruct (limit_near (t + 1) ltac:(lra)) as (C & CT & Near).
-  destruct (small (C * exp (lam * (t + 1))) (e / 3)) as (n & Hn); [nra|lra|].
+  intros t Ht e He. destruct (limit_near (t + 1) ltac:(lra)) as (C & HC & Near).
+  destruct (small C (e / 3)) as (n & Hn); [lra|lra|].
   destruct (iterate_cont n i t Ht (e / 3)) as (d & Hd & Kd); [lra|]. smaller d 1. intros u Hu Hd1.
-  assert (B : forall r, 0 <= r <= t + 1 -> Rabs (limit i r - iterate n i r) < e / 3).
-  { intros r Hr. eapply Rle_lt_trans; [apply Near; lra|]. eapply Rle_lt_trans; [|exact Hn].
-    replace (C * exp (lam * (t + 1)) * (/ 2) ^ n) with (C * (/ 2) ^ n * exp (lam * (t + 1))) by ring.
-    apply Rmult_le_compat_l; [pose proof (pow_le (/ 2) n ltac:(lra)); nra|].
-    destruct (Req_dec (lam * r) (lam * (t + 1))) as [->|N]; [lra|]. apply Rlt_le, exp_increasing. nra. }
-  assert (Q : Rabs (u - t) < 1) by lra. apply Rabs_def2 in Q.
-  pose proof (B u ltac:(lra)) as B1. pose proof (B t ltac:(lra)) as B2. specialize (Kd u Hu ltac:(lra)).
-  apply Rabs_def2 in B1. apply Rabs_def2 in B2. apply Rabs_def2 in Kd. apply Rabs_def1; lra.
+  specialize (Kd u Hu ltac:(lra)). assert (Q : Rabs (u - t) < 1) by lra. apply Rabs_def2 in Q, Kd.
+  pose proof (Near n i u ltac:(lra)) as B. pose proof (Near n i t ltac:(lra)) as B'. apply Rabs_inv in B, B'.
+  apply Rabs_def1; lra.
 Qed.
 
 Theorem fixed_point : exists f, (forall i, cont (f i)) /\ forall i t, 0 <= t -> next f i t = f i t.
 Proof.
-  exists limit. split; [exact limit_cont|]. intros i t Ht. apply Rminus_diag_uniq.
-  destruct (Req_dec (next limit i t - limit i t) 0) as [|N]; auto. apply Rabs_pos_lt in N.
-  pose proof (exp_pos (lam * t)). destruct (limit_near t Ht) as (C & CT & Near).
-  destruct (small (C * exp (lam * t)) (Rabs (next limit i t - limit i t)) ltac:(nra) N) as (n & Hn).
+  exists limit. split; [exact limit_cont|]. intros i t Ht. apply cond_eq. intros e He.
+  destruct (limit_near t Ht) as (C & HC & Near). pose proof (exp_pos (lam * t)).
+  destruct (small (C * (exp (lam * t) + 1)) e) as (n & Hn); [positive|auto|].
+  pose proof (pow_le (/ 2) n ltac:(lra)). assert (D : 0 <= C * (/ 2) ^ n) by positive.
   assert (A : Rabs (next limit i t - iterate (S n) i t) <= C * (/ 2) ^ n / 2 * exp (lam * t)).
-  { apply (Half limit (iterate n) _ t); auto using iterate_cont; [|lra].
-    pose proof (pow_le (/ 2) n ltac:(lra)). nra. }
-  pose proof (Near (S n) i t ltac:(lra)) as Q. simpl pow in Q.
-  replace (next limit i t - limit i t) with ((next limit i t - iterate (S n) i t) - (limit i t - iterate (S n) i t)) in
-    Hn by ring. pose proof (Rabs_triang (next limit i t - iterate (S n) i t) (- (limit i t - iterate (S n) i t))) as T.
-  rewrite Rabs_Ropp in T. unfold Rminus at 1 in Hn. lra.
+  { apply (Half limit (iterate n) _ t); auto using iterate_cont; [|lra]. intros j u Hu.
+    specialize (Near n j u Hu). pose proof (exp_ineq1_le (lam * u)). assert (0 <= lam * u) by positive. nra. }
+  pose proof (Near (S n) i t ltac:(lra)) as Q. simpl pow in Q. apply Rabs_inv in A, Q. apply Rabs_def1; nra.
 Qed.
 End Fixed.

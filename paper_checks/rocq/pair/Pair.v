@@ -32,11 +32,11 @@ Lemma friction_monotone s s' w w' t : pushes s w t -> pushes s' w' t ->
   - e * h <= ((s (t + h) - s t) - (s' (t + h) - s' t)) * (w - w').
 Proof.
   intros (L & P) (L' & P') e He.
-  destruct (little_plus _ _ (opposes_power s w t P) (opposes_power s' w' t P') e He) as (d & Hd & K).
-  exists d; split; auto. intros h Hh. specialize (K h Hh). apply Rabs_inv in K. cbv beta in K.
+  apply (soon (little_plus _ _ (opposes_power s w t P) (opposes_power s' w' t P') e He)). intros h Hh K.
+  apply Rabs_inv in K.
   assert (B : forall y z, - h <= y <= h -> y * z <= Rabs z * h).
   { intros y z Hy. unfold Rabs. destruct Rcase_abs; nra. }
-  pose proof (B _ w' (L h ltac:(lra))). pose proof (B _ w (L' h ltac:(lra))). lra.
+  pose proof (B _ w' (L h Hh)). pose proof (B _ w (L' h Hh)). lra.
 Qed.
 
 Section Pair.
@@ -173,12 +173,6 @@ Proof.
   apply rderiv_eq with (/ m1 * (- (a2 * x t + a1 * v1 t) + u) - 0); [field; lra|].
   apply rderiv_minus; [|apply rderiv_const]. apply rderiv_scal, rderiv_plus; auto. apply (q_v1 _ _ _ _ _ _ H t Ht).
 Qed.
-Lemma moves_gap_big t u : 0 <= t -> rderiv U t u -> big (fun h => (v1 (t + h) - v2 (t + h)) - (v1 t - v2 t)).
-Proof.
-  intros Ht HU.
-  eapply big_ext; [|exact (big_minus _ _ (rderiv_big _ _ _ (moves_slip t u Ht HU)) (big_scal (b * ((m1 + m2) / (m1 *
-    m2))) _ (moves_big t Ht)))]. intros h. lra.
-Qed.
 (** and with it, where its impulse has the right derivative l *)
 Lemma moves_rate t u l : 0 <= t -> rderiv U t u -> rderiv s t l -> rderiv (fun r => v1 r - v2 r) t
   ((m1 + m2) / (m1 * m2) * (m2 * (u - a2 * x t - a1 * v1 t) / (m1 + m2) - b * l)).
@@ -222,8 +216,8 @@ Proof.
   intros Ht HU. assert (V : rderiv (fun r => m1 * v1 r + b * s r) t (u - (a2 * x t + a1 * v1 t))).
   { eapply little_ext; [|exact (little_plus _ _ (q_v1 _ _ _ _ _ _ H t Ht) HU)]. intros h; simpl; ring. }
   eapply little_ext; [|exact (little_minus _ _ (energy_increment x v1 v2 s t _ (q_x _ _ _ _ _ _ H t Ht) V (fun h Hh =>
-    moves_v2 t (t + h) Ht ltac:(lra)) (moves_big t Ht)) (little_scal b _ (friction_power 1 s (v1 t - v2 t) t (fun k Hk W
-    => rderiv_eq _ _ _ _ (eq_sym (Rmult_1_r k)) (q_slip _ _ _ _ _ _ H t Ht k Hk W)))))]. intros h. unfold E. ring.
+    moves_v2 t (t + h) Ht ltac:(lra)) (moves_big t Ht)) (little_scal b _ (opposes_power s _ t
+    (q_slip _ _ _ _ _ _ H t Ht))))]. intros h. unfold E. ring.
 Qed.
 Lemma moves_cE : cont E.
 Proof. pose proof moves_cv2. destruct H. apply energy_cont; auto. Qed.
@@ -318,24 +312,25 @@ Qed.
 Lemma moves_D_dini t du : 0 <= t -> rderiv (fun r => U r - U' r) t du ->
   dini_le D t (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2).
 Proof.
-  intros Ht HU e He. assert (V : rderiv (fun r => m1 * (v1 r - v1' r) + b * (s r - s' r)) t
+  intros Ht HU. assert (V : rderiv (fun r => m1 * (v1 r - v1' r) + b * (s r - s' r)) t
     (du - (a2 * (x t - x' t) + a1 * (v1 t - v1' t)))).
   { eapply little_ext; [|exact (little_plus _ _ (little_minus _ _ (q_v1 _ _ _ _ _ _ H t Ht) (q_v1 _ _ _ _ _ _ H' t Ht))
     HU)]. intros h; simpl; ring. }
-  destruct (energy_increment (fun r => x r - x' r) (fun r => v1 r - v1' r) (fun r => v2 r - v2' r) (fun r => s r - s' r)
-    t _ (rderiv_minus _ _ _ _ _ (q_x _ _ _ _ _ _ H t Ht) (q_x _ _ _ _ _ _ H' t Ht)) V) with (eps := e / 2)
-    as (d1 & Hd1 & K1); try lra.
-  - intros h Hh. pose proof (moves_v2 _ _ _ _ _ _ H t (t + h) Ht ltac:(lra)).
-    pose proof (moves_v2 _ _ _ _ _ _ H' t (t + h) Ht ltac:(lra)). lra.
-  - eapply big_ext; [|exact (big_minus _ _ (moves_big _ _ _ _ _ _ H t Ht) (moves_big _ _ _ _ _ _ H' t Ht))].
-    intros h; simpl; ring.
-  - assert (Pu : forall U x v1 v2 s, moves 1 U x v1 v2 s -> pushes s (v1 t - v2 t) t).
-    { intros V1 y w1 w2 z [L P _ _ _ _ _]. split; [|auto]. intros h Hh. apply Rabs_inv.
-      replace h with (1 * (t + h - t)) at 2 by ring. apply L. lra. }
-    destruct (friction_monotone s s' _ _ t (Pu _ _ _ _ _ H) (Pu _ _ _ _ _ H') (e / (2 * b))) as (d2 & Hd2 & K2);
-      [positive|]. smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
-    apply Rabs_inv in K1. apply Rmult_le_compat_l with (r := b) in K2; [|lra].
-    replace (b * (- (e / (2 * b)) * h)) with (- (e / 2) * h) in K2 by (field; lra). unfold D. lra.
+  set (w := v1 t - v1' t - (v2 t - v2' t)).
+  apply (dini_increment D t _ (fun h => b * ((s (t + h) - s' (t + h) - (s t - s' t)) * w))).
+  { eapply little_ext; [|refine (energy_increment (fun r => x r - x' r) (fun r => v1 r - v1' r)
+      (fun r => v2 r - v2' r) (fun r => s r - s' r) t _ _ V _ _)].
+    - intros h. unfold D, w. ring.
+    - apply rderiv_minus; [apply (q_x _ _ _ _ _ _ H t Ht)|apply (q_x _ _ _ _ _ _ H' t Ht)].
+    - intros h Hh. pose proof (moves_v2 _ _ _ _ _ _ H t (t + h) Ht ltac:(lra)).
+      pose proof (moves_v2 _ _ _ _ _ _ H' t (t + h) Ht ltac:(lra)). lra.
+    - eapply big_ext; [|exact (big_minus _ _ (moves_big _ _ _ _ _ _ H t Ht) (moves_big _ _ _ _ _ _ H' t Ht))].
+      intros h; simpl; ring. }
+  intros e He. assert (Pu : forall U x v1 v2 s, moves 1 U x v1 v2 s -> pushes s (v1 t - v2 t) t).
+  { intros V1 y w1 w2 z [L P _ _ _ _ _]. split; [|auto]. intros h Hh. apply Rabs_inv.
+    replace h with (1 * (t + h - t)) at 2 by ring. apply L. lra. }
+  apply (soon (friction_monotone s s' _ _ t (Pu _ _ _ _ _ H) (Pu _ _ _ _ _ H') (e / b) ltac:(positive))).
+  intros h Hh K. replace (- e * h) with (b * (- (e / b) * h)) by (field; lra). unfold w. scale.
 Qed.
 
 (** *** Contraction in the energy norm: under one force the distance never grows *)

@@ -44,14 +44,11 @@ Proof. intros; unfold Ecr; field; lra. Qed.
 (** [tie-captive] With damping: the level whose ellipse lies in the sliding region. *)
 Theorem tie_captive : forall m1 m2 a1 a2 b e : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 <= a1 -> (captive m1 m2 a1 a2 b e <-> e <= ((1 / 2) * (b ^ 2) * (/ (m2 ^ 2)) * ((m1 + m2) ^ 3) * (/ ((a1 ^ 2) + (a2 * m1) + (a2 * m2))))).
 Proof. intros. unfold captive.
-  assert (W : 0 < a2 + a1 ^ 2 / (m1 + m2)).
-  { assert (0 <= a1 ^ 2 / (m1 + m2)); [|lra]. apply Rmult_le_pos; [nra|apply Rlt_le, Rinv_0_lt_compat; lra]. }
+  assert (W : 0 < a2 + a1 ^ 2 / (m1 + m2)) by (assert (0 <= a1 ^ 2 / (m1 + m2)) by positive; lra).
   match goal with |- _ <-> e <= ?t => assert (E : t = (b * (m1 + m2) / m2) ^ 2 / (2 * (a2 + a1 ^ 2 / (m1 + m2)))) end.
   { field. repeat split; try lra. pose proof (pow2_ge_0 a1). nra. }
-  rewrite E. split; intros I.
-  - apply Rmult_le_reg_r with (2 * (a2 + a1 ^ 2 / (m1 + m2))); [lra|]. unfold Rdiv at 2. rewrite Rmult_assoc, Rinv_l by lra. lra.
-  - apply Rmult_le_compat_r with (r := 2 * (a2 + a1 ^ 2 / (m1 + m2))) in I; [|lra].
-    unfold Rdiv at 2 in I. rewrite Rmult_assoc, Rinv_l in I by lra. lra. Qed.
+  rewrite E, <- Rle_div_r by lra. replace (e * (2 * (a2 + a1 ^ 2 / (m1 + m2)))) with
+    (2 * e * (a2 + a1 ^ 2 / (m1 + m2))) by ring. reflexivity. Qed.
 
 (** [tie-stick-frequency] The frequency of stick. *)
 Theorem tie_stick_frequency : forall m1 m2 a2 : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> omega m1 m2 a2 = ((sqrt a2) * (/ (sqrt (m1 + m2)))).

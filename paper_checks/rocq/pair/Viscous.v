@@ -13,13 +13,10 @@ Definition captive (e : R) := 2 * e * (a2 + a1 ^ 2 / M) <= (b * M / m2) ^ 2.
 Lemma captive_load x v1 v2 : captive (energy m1 m2 a2 x v1 v2) ->
   - (b * M / m2) <= a2 * x + a1 * ((m1 * v1 + m2 * v2) / M) <= b * M / m2.
 Proof.
-  intros C. apply sq_le_abs. { apply Rlt_le, Rdiv_lt_0_compat; auto. positive. }
-  eapply Rle_trans; [|exact C]. apply Rminus_le_0.
+  intros C. apply sq_le_abs; [positive|]. eapply Rle_trans; [|exact C]. apply Rminus_le_0.
   replace (_ - _) with (a2 / M * (a1 * x - (m1 * v1 + m2 * v2)) ^ 2 + (a2 + a1 ^ 2 / M) * (m1 * m2 / M) * (v1 -
     v2) ^ 2).
-  2: { unfold energy, M in *. field. lra. } assert (0 <= a1 ^ 2 / M) by positive. assert (0 < a2 / M) by positive.
-  assert (0 < m1 * m2 / M) by positive.
-  apply Rplus_le_le_0_compat; apply Rmult_le_pos; try apply pow2_ge_0; try lra. positive.
+  2: { unfold energy, M in *. field. lra. } positive.
 Qed.
 
 Section One.
@@ -86,72 +83,44 @@ Proof.
   { apply Rminus_le_0.
     replace (_ - _) with (/ a2 * (m1 * v1 ^ 2 + m2 * v2 ^ 2) + M * (a2 * x ^ 2) + m1 * m2 * (v1 - v2) ^ 2) by
       (unfold energy, Pair.energy, M; field; lra).
-    pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v1). pose proof (pow2_ge_0 v2). pose proof (pow2_ge_0 (v1 - v2)).
-    assert (0 <= m1 * m2 * (v1 - v2) ^ 2) by positive. assert (0 <= / a2 * (m1 * v1 ^ 2 + m2 * v2 ^ 2)) by positive.
-    assert (0 <= M * (a2 * x ^ 2)) by positive. lra. }
+    positive. }
   pose proof (pow2_ge_0 (x + (m1 * v1 + m2 * v2))). pose proof (pow2_ge_0 (x - (m1 * v1 + m2 * v2))). apply Rabs_le.
   nra.
 Qed.
 
-(** The strict Lyapunov function E + c x P, for c small on {E <= E0}: its rate is at most -k times itself. *)
-Lemma rate_bound E0 : 0 <= E0 -> exists c k, 0 < c /\ 0 < k /\ c * (/ a2 + M) <= 1 / 2 /\ forall x v1 v2,
+(** The strict Lyapunov function E + c x P, for c small on {E <= E0}: its rate is at most -2c/3 times itself. *)
+Lemma rate_bound E0 : 0 <= E0 -> exists c, 0 < c /\ c * (/ a2 + M) <= 1 / 2 /\ forall x v1 v2,
   energy x v1 v2 <= E0 ->
   (- b * Rabs (v1 - v2) - a1 * v1 ^ 2) + c * (v1 * (m1 * v1 + m2 * v2) + x * - (a2 * x + a1 * v1))
-  <= - k * (energy x v1 v2 + c * (x * (m1 * v1 + m2 * v2))).
+  <= - (2 * c / 3) * (energy x v1 v2 + c * (x * (m1 * v1 + m2 * v2))).
 Proof.
-  intros HE. assert (Ha : 0 < / a2) by positive.
-  (* the bound U of |v1| and |v2| *)
-  set (U := 1 + 2 * E0 / m1 + 2 * E0 / m2). assert (HU1 : 0 <= 2 * E0 / m1) by positive.
-  assert (HU2 : 0 <= 2 * E0 / m2) by positive. assert (HU : 1 <= U) by (unfold U; lra).
-  assert (Sq : 0 <= a1 ^ 2 / (2 * a2)) by positive. assert (HUm : 0 < m2 * U) by positive.
-  destruct (small_enough ((/ a2 + M) + m2 * U + (M + a1 ^ 2 / (2 * a2))) (Rmin (1 / 2) (Rmin (b / 2) (a1 / 2))))
-    as (c & Hc & K); [lra|positive|]. min_bounds (Rmin (1 / 2) (Rmin (b / 2) (a1 / 2))). specialize (K c ltac:(lra)).
-  assert (K1 : c * (/ a2 + M) <= 1 / 2) by nra. assert (K2 : c * (m2 * U) <= b / 2) by nra.
-  assert (K3 : c * (M + a1 ^ 2 / (2 * a2)) <= a1 / 2) by nra. clear K.
-  (* k: 3/2 k E <= c a2 x^2/2 + a1 v1^2/2 + b |v1 - v2|/2, with v2^2 <= 2 v1^2 + 4 U |v1 - v2| *)
-  destruct (small_enough (3 / 2 + 3 / 2 * (m1 + 2 * m2) + 6 * m2 * U) (Rmin c (Rmin a1 b))) as (k & Hk & J);
-    [nra|positive|]. min_bounds (Rmin c (Rmin a1 b)). specialize (J k ltac:(lra)).
-  assert (J1 : k * (3 / 2) <= c) by nra. assert (J2 : k * (3 / 2 * (m1 + 2 * m2)) <= a1) by nra.
-  assert (J3 : k * (6 * m2 * U) <= b) by nra. clear J. exists c, k. repeat split; auto. intros x v1 v2 B.
-  pose proof (pow2_ge_0 x) as X2. pose proof (pow2_ge_0 v1) as V2. pose proof (pow2_ge_0 v2) as W2.
+  intros HE. assert (Ha : 0 < / a2) by positive. assert (Sq : 0 <= a1 ^ 2 / (2 * a2)) by positive.
+  (* a bound R of the slip, which makes its friction at least quadratic *)
+  set (R := 1 + 2 * (2 * E0 / m1) + 2 * (2 * E0 / m2)). assert (R1 : 0 <= 2 * E0 / m1) by positive.
+  assert (R2 : 0 <= 2 * E0 / m2) by positive. assert (HR : 1 <= R) by (unfold R; lra).
+  destruct (small_enough ((/ a2 + M) + R * (3 / 2 * m2) + (5 / 2 * M + a1 ^ 2 / (2 * a2)))
+    (Rmin (1 / 2) (Rmin b a1))) as (c & Hc & K); [positive|positive|]. min_bounds (Rmin (1 / 2) (Rmin b a1)).
+  specialize (K c ltac:(lra)). assert (0 < R * (3 / 2 * m2)) by positive. exists c. split; [auto|].
+  assert (K1 : c * (/ a2 + M) <= 1 / 2) by nra. assert (K2 : c * (R * (3 / 2 * m2)) <= b) by nra.
+  assert (K3 : c * (5 / 2 * M + a1 ^ 2 / (2 * a2)) <= a1) by nra. clear K. split; [auto|]. intros x v1 v2 B.
   assert (En : energy x v1 v2 = a2 * x ^ 2 / 2 + m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2) by reflexivity.
-  assert (U1 : - U <= v1 <= U).
-  { assert (v1 ^ 2 <= 2 * E0 / m1). { undivide m1. nra. } apply sq_le_abs; [lra|]. unfold U in *. nra. }
-  assert (U2 : - U <= v2 <= U).
-  { assert (v2 ^ 2 <= 2 * E0 / m2). { undivide m2. nra. } apply sq_le_abs; [lra|]. unfold U in *. nra. }
-  set (r := Rabs (v1 - v2)). assert (R0 : 0 <= r) by apply Rabs_pos.
-  assert (Rr : r * r = (v1 - v2) ^ 2) by (unfold r, Rabs; destruct Rcase_abs; ring).
-  assert (R2 : r <= 2 * U) by (unfold r, Rabs; destruct Rcase_abs; lra).
-  (* v2^2 *)
-  assert (A1 : v2 ^ 2 <= 2 * v1 ^ 2 + 4 * U * r). { pose proof (pow2_ge_0 (2 * v1 - v2)). nra. }
-  (* v1 P = M v1^2 - m2 v1 (v1 - v2) *)
-  assert (A2 : v1 * (m1 * v1 + m2 * v2) <= M * v1 ^ 2 + m2 * U * r).
-  { assert (- (v1 * (v1 - v2)) <= U * r).
-    { apply Rle_trans with (Rabs v1 * r).
-      - unfold r. rewrite <- Rabs_mult, <- Rabs_Ropp. apply Rle_abs.
-      - apply Rmult_le_compat_r; [auto|apply Rabs_le; lra]. }
-    assert (m2 * - (v1 * (v1 - v2)) <= m2 * (U * r)) by scale. unfold M. lra. }
-  assert (A3 : x * - (a2 * x + a1 * v1) <= - (a2 * x ^ 2 / 2) + a1 ^ 2 / (2 * a2) * v1 ^ 2).
-  { apply Rminus_le_0. replace (_ - _) with (/ (2 * a2) * (a2 * x + a1 * v1) ^ 2) by (field; lra).
-    apply Rmult_le_pos; [positive|positive]. }
-  assert (A4 : c * (v1 * (m1 * v1 + m2 * v2) + x * - (a2 * x + a1 * v1)) <= a1 / 2 * v1 ^ 2 + b / 2 * r - c * (a2
-    * x ^ 2 / 2)).
-  { apply Rle_trans with (c * (M * v1 ^ 2 + m2 * U * r + (- (a2 * x ^ 2 / 2) + a1 ^ 2 / (2 * a2) * v1 ^ 2)));
-    [scale|]. assert (c * (M + a1 ^ 2 / (2 * a2)) * v1 ^ 2 <= a1 / 2 * v1 ^ 2) by scale.
-    assert (c * (m2 * U) * r <= b / 2 * r) by scale. lra. }
   pose proof (cross_bound x v1 v2) as CB. apply Rabs_inv in CB. set (e := energy x v1 v2) in *.
   assert (Ep : 0 <= e) by (exact (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2)).
-  assert (A5 : c * (x * (m1 * v1 + m2 * v2)) <= e / 2).
-  { apply Rle_trans with (c * ((/ a2 + M) * e)); [scale|]. rewrite <- Rmult_assoc.
-    apply Rle_trans with (1 / 2 * e); [scale|lra]. }
-  assert (A6 : k * (e + c * (x * (m1 * v1 + m2 * v2))) <= k * (3 / 2 * e)) by scale.
-  assert (A7 : k * (3 / 2) * (a2 * x ^ 2 / 2) <= c * (a2 * x ^ 2 / 2)). { apply Rmult_le_compat_r; auto.
-    apply Rmult_le_pos; [positive|lra]. }
-  assert (A8 : k * (3 / 2 * (m1 + 2 * m2)) * v1 ^ 2 <= a1 * v1 ^ 2) by scale.
-  assert (A9 : k * (6 * m2 * U) * r <= b * r) by scale.
-  assert (A10 : k * (3 / 2) * (m2 * v2 ^ 2 / 2) <= k * (3 / 2) * (m2 * (2 * v1 ^ 2 + 4 * U * r) / 2)).
-  { apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; [lra|]. scale. }
-  rewrite En in A6 |- *. lra.
+  assert (Cross : c * (x * (m1 * v1 + m2 * v2)) <= e / 2) by nra.
+  set (r := Rabs (v1 - v2)). assert (R0 : 0 <= r) by apply Rabs_pos.
+  assert (Rr : (v1 - v2) ^ 2 = r * r) by (unfold r, Rabs; destruct Rcase_abs; ring).
+  assert (Slip : 3 / 2 * (c * m2) * (v1 - v2) ^ 2 <= b * r).
+  { assert (V1 : v1 ^ 2 <= 2 * E0 / m1) by (undivide m1; nra).
+    assert (V2 : v2 ^ 2 <= 2 * E0 / m2) by (undivide m2; nra).
+    assert (r <= R) by (pose proof (pow2_ge_0 (v1 + v2)); unfold R in *; nra). rewrite Rr.
+    assert (0 <= c * (3 / 2 * m2) * r) by positive. nra. }
+  assert (Young : - (c * (a1 * (x * v1))) <= c * (a2 * x ^ 2 / 2) + c * (a1 ^ 2 / (2 * a2)) * v1 ^ 2).
+  { apply Rminus_le_0. replace (_ - _) with (c * (/ (2 * a2) * (a2 * x + a1 * v1) ^ 2)) by (field; lra).
+    positive. }
+  assert (c * (5 / 2 * M + a1 ^ 2 / (2 * a2)) * v1 ^ 2 <= a1 * v1 ^ 2) by scale.
+  assert (2 * c / 3 * (c * (x * (m1 * v1 + m2 * v2))) <= 2 * c / 3 * (e / 2)) by scale.
+  assert (0 <= c * m2 * (v1 + (v1 - v2)) ^ 2) by positive.
+  assert (0 <= c * m1 * v1 ^ 2) by positive. unfold e, energy, Pair.energy, M in *. lra.
 Qed.
 
 (** [viscous-decay] With $a_1>0$: $E(t)\leqslant 3E(0)\,e^{-kt}$, with one $k>0$ for all initial energies below a
@@ -160,8 +129,8 @@ Theorem decay E0 : 0 <= E0 -> exists k, 0 < k /\ forall x v1 v2 s, solution m1 m
   energy (x 0) (v1 0) (v2 0) <= E0 -> forall t, 0 <= t ->
   energy (x t) (v1 t) (v2 t) <= 3 * energy (x 0) (v1 0) (v2 0) * exp (- k * t).
 Proof.
-  intros HE. destruct (rate_bound E0 HE) as (c & k & Hc & Hk & Small & Rate).
-  exists k; split; auto. intros x v1 v2 s H B t Ht.
+  intros HE. destruct (rate_bound E0 HE) as (c & Hc & Small & Rate). set (k := 2 * c / 3).
+  exists k; split; [unfold k; lra|]. intros x v1 v2 s H B t Ht.
   set (E := fun t => energy (x t) (v1 t) (v2 t)). set (P := fun t => m1 * v1 t + m2 * v2 t).
   set (L := fun t => E t + c * (x t * P t)). assert (Em : forall u, 0 <= u -> E u <= E0).
   { intros u Hu. eapply Rle_trans; [|exact B].

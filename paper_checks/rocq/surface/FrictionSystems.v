@@ -76,10 +76,8 @@ Proof. intros Da y z. pose proof (flow_rate 0 (Rle_refl 0) Da y z) as Q. rewrite
 Theorem inclusion_motion psi U F q v : inclusion psi U F q v ->
   motion state_ip flow (fun y => psi (B (snd y))) (impulse U) (impulse (fun t => Bt (F t))) (fun t => (q t, v t)).
 Proof.
-  intros (H & L). split; [exact H|]. intros t Ht z e He. destruct (L t Ht (B (snd z)) e He) as (d & Hd & Q).
-  exists d; split; auto. intros h Hh. rewrite friction_work. change (snd (minus z (q t, v t))) with (minus (snd z) (v
-    t)).
-  rewrite b_minus. apply Q; auto.
+  intros (H & L). split; [exact H|]. intros t Ht z e He. apply (soon (L t Ht (B (snd z)) e He)). intros h _.
+  rewrite friction_work. change (snd (minus z (q t, v t))) with (minus (snd z) (v t)). rewrite b_minus. auto.
 Qed.
 
 (** [system-defects] Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$ and $C$ monotone,
@@ -134,12 +132,11 @@ Proof.
   - intros (p, w). pose proof (Di w). unfold state_ip, flow; simpl.
     rewrite (m_inverse S), (ip_opp _ (dot_inner S)), (ip_plus _ (dot_inner S)).
     pose proof (ip_sym _ (k_form S) w p) as Q. lra.
-  - destruct H as [L Co Ra]. constructor; auto. intros t Ht e He. destruct (Ra t Ht e He) as (d & Hd & Q).
-    exists d; split; auto. intros h Hh. eapply Rle_trans; [|apply (Q h Hh)]. apply (norm_le _ state_inner). intros w.
-    rewrite !(ip_minus _ state_inner). unfold impulse. ring.
+  - destruct H as [L Co Ra]. constructor; auto. intros t Ht e He. apply (soon (Ra t Ht e He)). intros h _.
+    apply Rle_trans, (norm_le _ state_inner). intros w. rewrite !(ip_minus _ state_inner). unfold impulse.
+    ring.
   - intros t Ht. apply norm_pos.
-  - intros t Ht e He. destruct (Br t Ht e He) as (d & Hd & Q). exists d; split; auto. intros h Hh. rewrite
-    friction_work. apply Q; auto.
+  - intros t Ht e He. apply (soon (Br t Ht e He)). intros h _. rewrite friction_work. auto.
 Qed.
 End Systems.
 
@@ -193,11 +190,9 @@ Proof.
     replace (- (b / m2 * s t) - - (b / m2 * s r)) with (- (b / m2 * (s t - s r)))
       by ring. rewrite <- Rmult_minus_distr_l, Rabs_Ropp, !Rabs_mult, !(Rabs_pos_eq (b / _)) by lra. nra.
   - intros t Ht e He. set (g := fun u => C * (Rabs (x u - x t) + Rabs (v1 u - v1 t) + Rabs (v2 u - v2 t))).
-    assert (Cg : cont g).
-    { apply cont_scal; repeat apply cont_plus; apply cont_abs, cont_minus; try apply cont_const; [apply (f_cx _ _ _ _ _
-        _ _ _ _ _ H)|apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
-    destruct (Cg t Ht e He) as (d & Hd & K). exists d; split; auto. intros u Hu Hd'. specialize (K u Hu Hd').
-    apply Rabs_def2 in K. rewrite pair_minus. eapply Rle_lt_trans; [apply pair_norm|]. fold (g u).
+    assert (Cg : cont g) by (unfold g; continuous). destruct (Cg t Ht e He) as (d & Hd & K).
+    exists d; split; auto. intros u Hu Hd'. specialize (K u Hu Hd'). apply Rabs_def2 in K. rewrite pair_minus.
+    eapply Rle_lt_trans; [apply pair_norm|]. fold (g u).
     replace (g t) with 0 in K by (unfold g; rewrite !Rminus_diag_eq, Rabs_R0 by auto; ring). lra.
   - intros t Ht. apply vlittle_norm.
     eapply little_le; [|exact (little_scal C _ (little_plus _ _ (little_abs _ (f_x _ _ _ _ _ _ _ _ _ _ H t Ht))
@@ -208,14 +203,11 @@ Proof.
     match goal with |- _ + Rabs ?c = _ => replace c with 0 by lra end. rewrite Rabs_R0, Rplus_0_r.
     f_equal; f_equal; field; lra.
   - intros t Ht z e He. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
-    destruct (friction_power 1 s (v1 t - v2 t) t (fun k Hk W => rderiv_eq _ _ _ _ (eq_sym (Rmult_1_r k))
-      (q_slip m1 m2 a1 a2 b _ _ _ _ _ _ H t Ht k Hk W)) (e / b)) as
-      (d & Hd & K); [positive|]. exists d; split; auto.
-    intros h Hh. specialize (K h Hh). apply Rabs_inv in K. specialize (L t (t + h) ltac:(lra)). apply Rabs_inv in L.
-    destruct z as ((z1, z2), z3).
-    rewrite !pair_minus. unfold pair_ip, pair_friction; simpl. set (ds := s (t + h) - s t) in *.
-    match goal with |- ?a <= _ => replace a with (b * (ds * (z2 - z3)) - b * (ds * (v1 t - v2 t))) by (unfold ds; field;
-      lra) end.
+    apply (soon (opposes_power s _ t (q_slip m1 m2 a1 a2 b _ _ _ _ _ _ H t Ht) (e / b) ltac:(positive))).
+    intros h Hh K. apply Rabs_inv in K. specialize (L t (t + h) ltac:(lra)). apply Rabs_inv in L.
+    destruct z as ((z1, z2), z3). rewrite !pair_minus. unfold pair_ip, pair_friction; simpl.
+    set (ds := s (t + h) - s t) in *. match goal with |- ?a <= _ => replace a with
+      (b * (ds * (z2 - z3)) - b * (ds * (v1 t - v2 t))) by (unfold ds; field; lra) end.
     assert (Q : ds * (z2 - z3) <= h * Rabs (z2 - z3)).
     { pose proof (Rle_abs (ds * (z2 - z3))) as Q. rewrite Rabs_mult in Q. assert (Rabs ds <= h) by (apply Rabs_le; lra).
       pose proof (Rabs_pos (z2 - z3)). nra. }

@@ -94,8 +94,7 @@ Lemma norm_le u v : (forall w, ip u w = ip v w) -> norm u <= norm v.
 Proof. intros E. apply norm_by; [apply norm_pos|]. intros w. rewrite E. apply cauchy. Qed.
 Lemma vlittle_norm f : vlittle f <-> little (fun h => norm (f h)).
 Proof.
-  split; intros D e He; destruct (D e He) as (d & Hd & K); exists d; split; auto; intros h Hh; specialize (K h Hh);
-    rewrite Rabs_pos_eq in * by apply norm_pos; auto.
+  split; intros D e He; apply (soon (D e He)); intros h _; rewrite Rabs_pos_eq by apply norm_pos; auto.
 Qed.
 
 (** the increment of the energy *)
@@ -160,10 +159,9 @@ Let D t := ip (minus (y t) (y' t)) (minus (y t) (y' t)) / 2.
 Lemma drags_monotone t : 0 <= t -> forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
   - e * h <= ip (minus (minus (P (t + h)) (P' (t + h))) (minus (P t) (P' t))) (minus (y t) (y' t)).
 Proof.
-  intros Ht e He. destruct (proj2 H t Ht (y' t) (e / 2)) as (d1 & H1 & K1); [lra|].
-  destruct (proj2 H' t Ht (y t) (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh.
-  specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
-  rewrite ip_minus, (ip_sym _ In _ (minus _ _)), (ip_sym _ In (P t) _), !ip_minus in K1.
+  intros Ht e He.
+  apply (soon_both (proj2 H t Ht (y' t) (e / 2) ltac:(lra)) (proj2 H' t Ht (y t) (e / 2) ltac:(lra))).
+  intros h _ K1 K2. rewrite ip_minus, (ip_sym _ In _ (minus _ _)), (ip_sym _ In (P t) _), !ip_minus in K1.
   rewrite ip_minus, (ip_sym _ In _ (minus _ _)), (ip_sym _ In (P' t) _), !ip_minus in K2.
   rewrite !ip_minus, !(ip_sym _ In _ (minus _ _)), !ip_minus. lra.
 Qed.
@@ -172,9 +170,11 @@ Qed.
 Lemma distance_dini t d : 0 <= t -> vderiv (fun r => minus (G r) (G' r)) t d ->
   dini_le D t (ip (plus (minus (A (y t)) (A (y' t))) d) (minus (y t) (y' t))).
 Proof.
-  intros Ht HG e He. destruct (proj1 H) as [_ _ Ra], (proj1 H') as [_ _ Ra'].
-  destruct (energy_increment (fun r => minus (y r) (y' r)) (fun r => minus (P r) (P' r)) t (plus (minus (A (y t)) (A (y'
-    t))) d)) with (eps := e / 2) as (d1 & H1 & K1); try lra.
+  intros Ht HG. destruct (proj1 H) as [_ _ Ra], (proj1 H') as [_ _ Ra'].
+  apply (dini_increment D t _ _) with (2 := drags_monotone t Ht).
+  eapply little_ext; [|refine (energy_increment (fun r => minus (y r) (y' r)) (fun r => minus (P r) (P' r)) t
+    (plus (minus (A (y t)) (A (y' t))) d) _ _)].
+  - intros h. unfold D. ring.
   - apply vlittle_norm. specialize (Ra t Ht). specialize (Ra' t Ht). apply vlittle_norm in Ra, Ra', HG.
     eapply little_le; [|exact (little_plus _ _ (little_plus _ _ Ra Ra') HG)]. intros h _. cbv beta.
     rewrite Rabs_pos_eq by apply norm_pos. eapply Rle_trans; [|apply Rle_abs].
@@ -182,9 +182,6 @@ Proof.
   - eapply big_le; [|exact (big_plus _ _ (driven_big _ _ _ _ t (proj1 H) Ht) (driven_big _ _ _ _ t (proj1 H') Ht))].
     intros h _. rewrite Rabs_pos_eq by apply norm_pos. eapply Rle_trans; [|apply Rle_abs].
     apply norm_sum with 1 (-1); [lra|lra|]. intros w. lin. ring.
-  - destruct (drags_monotone t Ht (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh.
-    specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
-    cbv beta in K1. apply Rabs_inv in K1. fold (D (t + h)) (D t) in K1. lra.
 Qed.
 
 (** [inclusion-defects] Two motions of $y'\in Ay+g-\partial\varphi(y)$, $-A$ monotone, separate by at most the
@@ -250,14 +247,13 @@ Let E t := ip (y t) (y t) / 2.
 (** the rate of the energy *)
 Lemma braked_dini t : 0 <= t -> dini_le E t (- (beta * f t)).
 Proof.
-  intros Ht e He. pose proof (d_rate _ _ _ _ H) as Ra.
-  destruct (energy_increment y P t (A (y t))) with (eps := e / 2) as (d1 & H1 & K1); try lra.
-  - intros q Hq. destruct (Ra t Ht q Hq) as (d & Hd & Q). exists d; split; auto. intros h Hh.
-    eapply Rle_trans; [|apply (Q h Hh)]. apply norm_le. intros w. lin. ring.
-  - apply (driven_big _ _ _ _ t H Ht).
-  - destruct (Br t Ht (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)).
-    specialize (K2 h ltac:(lra)).
-    cbv beta in K1. apply Rabs_inv in K1. pose proof (Di (y t)). fold (E (t + h)) (E t) in K1. nra.
+  intros Ht. apply dini_weaken with (ip (A (y t)) (y t) - beta * f t); [specialize (Di (y t)); lra|].
+  apply (dini_increment E t _ (fun h => ip (minus (P (t + h)) (P t)) (y t) - beta * f t * h)).
+  - eapply little_ext; [|refine (energy_increment y P t (A (y t)) _ (driven_big _ _ _ _ t H Ht))].
+    + intros h. unfold E. ring.
+    + intros q Hq. apply (soon (d_rate _ _ _ _ H t Ht q Hq)). intros h _. apply Rle_trans, norm_le. intros w.
+      lin. ring.
+  - intros e He. apply (soon (Br t Ht e He)). intros h _ K. lra.
 Qed.
 
 (** T2: the path of the slip costs beta times its length; so it is finite, *)

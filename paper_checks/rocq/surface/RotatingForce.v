@@ -66,34 +66,27 @@ Theorem one_threshold U : 0 < U -> 0 < stiffness m1 ->
   forall r r', 0 <= r -> 0 <= r' -> balance U b r -> balance U b r' -> r = r'.
 Proof.
   intros HU D1. assert (O2 : 0 < om ^ 2) by nra. assert (O4 : 0 < om ^ 4) by nra. set (q := sqrt (stiffness (m1 + m2))).
-  assert (Qq : q * q = stiffness (m1 + m2)) by (apply sqrt_sqrt, stiffness_pos).
-  assert (Us : m2 * om ^ 2 * Ustar_plane = b * q) by (unfold Ustar_plane; fold q; field; lra).
+  assert (Qq : q * q = stiffness (m1 + m2)) by (apply sqrt_sqrt, stiffness_pos). set (u := m2 * om ^ 2 * U).
+  assert (Us : b * q = m2 * om ^ 2 * Ustar_plane) by (unfold Ustar_plane; fold q; field; lra).
   set (B := 2 * a1 * m2 ^ 2 * om ^ 4 * b). set (A := m2 ^ 2 * om ^ 2 * stiffness m1).
   assert (M2 : 0 < m2 ^ 2) by positive. assert (HB : 0 <= B) by positive. assert (HA : 0 < A) by positive.
-  assert (Ba : forall r, balance U b r <-> (m2 * om ^ 2 * U) ^ 2 = (b * q) ^ 2 + B * r + A * r ^ 2).
-  { intros r. unfold balance, A, B. rewrite <- Qq. split; intros E; rewrite E; ring. }
-  assert (Lt : Ustar_plane < U <-> (b * q) ^ 2 < (m2 * om ^ 2 * U) ^ 2).
-  { assert (0 <= Ustar_plane) by (unfold Ustar_plane; fold q; apply Rmult_le_pos; [positive|positive]). split; intros L.
-    - assert (m2 * om ^ 2 * Ustar_plane < m2 * om ^ 2 * U) by scale.
-      assert (0 <= m2 * om ^ 2 * Ustar_plane) by positive. nra.
-    - apply Rnot_le_lt. intros N. assert (m2 * om ^ 2 * U <= m2 * om ^ 2 * Ustar_plane) by scale.
-      assert (0 < m2 * om ^ 2 * U) by positive. nra. }
+  assert (Up : 0 < u) by positive. assert (Qp : 0 <= b * q) by positive.
+  assert (Ba : forall r, balance U b r <-> u ^ 2 = (b * q) ^ 2 + B * r + A * r ^ 2).
+  { intros r. unfold balance, A, B, u. rewrite <- Qq. split; intros E; rewrite E; ring. }
   split; [|split].
-  - intros Le. exists (b * U / Ustar_plane). split; [split|split].
-    + positive.
-    + undivide Ustar_plane. scale.
-    + field. lra.
-    + unfold balance. rewrite <- Qq. apply Rmult_eq_reg_r with (Ustar_plane ^ 2); [|apply pow_nonzero; lra].
-      replace ((m2 * om ^ 2 * U) ^ 2 * Ustar_plane ^ 2) with (U ^ 2 * (m2 * om ^ 2 * Ustar_plane) ^ 2) by ring. rewrite
-        Us. field. lra.
-  - rewrite Lt. split.
-    + intros (r & Hr & Er). apply Ba in Er. assert (0 < A * r ^ 2) by positive. nra.
-    + intros L. set (c := (m2 * om ^ 2 * U) ^ 2 - (b * q) ^ 2). set (w := sqrt (B ^ 2 + 4 * A * c)).
+  - intros Le. exists (b * U / Ustar_plane). split; [split; [positive|undivide Ustar_plane; scale]|].
+    split; [field; lra|]. unfold balance. fold u. rewrite <- Qq. replace u with (b * U / Ustar_plane * q); [ring|].
+    transitivity (b * q * U / Ustar_plane); [field; lra|]. rewrite Us. unfold u. field. lra.
+  - assert (Lt : Ustar_plane < U <-> b * q < u).
+    { rewrite Us. unfold u. split; [intros; scale|apply Rmult_lt_reg_l; positive]. }
+    rewrite Lt. split.
+    + intros (r & Hr & Er). apply Ba in Er. assert (0 < A * r ^ 2) by positive. assert (0 <= B * r) by positive. nra.
+    + intros L. set (c := u ^ 2 - (b * q) ^ 2). set (w := sqrt (B ^ 2 + 4 * A * c)). assert (Cp : 0 < c) by (unfold c; nra).
       assert (Ac : 0 < A * c) by positive.
       assert (Ew : w * w = B ^ 2 + 4 * A * c) by (apply sqrt_sqrt; pose proof (pow2_ge_0 B); lra).
       assert (Wp : 0 <= w) by positive. assert (Wb : B < w) by nra. exists ((w - B) / (2 * A)). split; [positive|].
       apply Ba. apply Rminus_diag_uniq_sym. apply Rmult_eq_reg_l with (4 * A); [|lra].
-      replace (4 * A * ((b * q) ^ 2 + B * ((w - B) / (2 * A)) + A * ((w - B) / (2 * A)) ^ 2 - (m2 * om ^ 2 * U) ^ 2))
+      replace (4 * A * ((b * q) ^ 2 + B * ((w - B) / (2 * A)) + A * ((w - B) / (2 * A)) ^ 2 - u ^ 2))
         with (w * w - B ^ 2 - 4 * A * c) by (unfold c; field; lra). lra.
   - intros r r' Hr Hr' E E'. apply Ba in E. apply Ba in E'. apply Rminus_diag_uniq.
     assert (Z : (r - r') * (B + A * (r + r')) = 0) by lra. apply Rmult_integral in Z. nra.

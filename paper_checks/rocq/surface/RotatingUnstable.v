@@ -24,11 +24,6 @@ Let Gr l := (l * Kr l + om * Ki l) / N l + l / (m2 * (l ^ 2 + om ^ 2)).
 Let Gi l := (om * Kr l - l * Ki l) / N l - om / (m2 * (l ^ 2 + om ^ 2)).
 (** the determinant of the two conditions on friction *)
 Let X l := (1 + f' * Gr l) * (1 + f / rho * Gr l) + f' * (f / rho) * Gi l ^ 2.
-(** without denominators it is a polynomial *)
-Let d l := N l * (m2 * (l ^ 2 + om ^ 2)).
-Let nr l := (l * Kr l + om * Ki l) * (m2 * (l ^ 2 + om ^ 2)) + l * N l.
-Let ni l := (om * Kr l - l * Ki l) * (m2 * (l ^ 2 + om ^ 2)) - om * N l.
-Let Y l := (d l + f' * nr l) * (d l + f / rho * nr l) + f' * (f / rho) * ni l ^ 2.
 
 (** no root of body 1 alone grows *)
 Lemma N_pos l : 0 <= l -> 0 < N l.
@@ -36,14 +31,6 @@ Proof.
   intros Hl. destruct (Req_dec l 0) as [->|Hn].
   - unfold stiffness in HD. unfold N, Kr, Ki. nra.
   - assert (0 < Ki l) by (unfold Ki; apply Rmult_lt_0_compat; nra). unfold N. nra.
-Qed.
-
-(** it has the sign of the determinant *)
-Lemma Y_X l : 0 <= l -> Y l = d l ^ 2 * X l.
-Proof.
-  intros Hl. pose proof (N_pos l Hl). assert (0 < l ^ 2 + om ^ 2) by nra.
-  unfold Y, X, Gr, Gi. replace (d l) with (N l * (m2 * (l ^ 2 + om ^ 2))) by reflexivity. unfold nr, ni.
-  set (k := f / rho). field. repeat split; lra.
 Qed.
 
 (** at 0 it is X(0) *)
@@ -55,46 +42,44 @@ Proof.
   reflexivity.
 Qed.
 
-(** far out the mobility vanishes *)
-Lemma mobility_small l : 1 <= l -> 2 * om <= l -> Rabs (Gr l) <= (4 / m1 + 1 / m2) / l /\ Rabs (Gi l) <= (4 / m1 + 1 / m2) / l.
+(** far out the mobility vanishes: the dynamic stiffness has at least the real part m1 l mu of its inertia *)
+Lemma mobility_small l : 0 < l -> Rabs (Gr l) <= (/ m1 + / m2) / l /\ Rabs (Gi l) <= (/ m1 + / m2) / l.
 Proof.
-  intros H1 H2. assert (HK : m1 * l ^ 2 / 2 <= Kr l).
-  { unfold Kr. assert (0 <= a1 * l) by nra.
-    assert (m1 * (l ^ 2 / 2) <= m1 * (l ^ 2 - om ^ 2)) by (apply Rmult_le_compat_l; nra). lra. }
-  assert (L2 : 0 < m1 * l ^ 2) by positive. assert (Ip : 0 <= Ki l) by (unfold Ki; apply Rmult_le_pos; nra).
-  pose proof (N_pos l ltac:(lra)) as Np. assert (S0 : 0 < l ^ 2 + om ^ 2) by positive. set (a := Kr l / N l).
-  set (e := Ki l / N l). set (c := / (m2 * (l ^ 2 + om ^ 2))). assert (0 <= a) by positive. assert (0 <= e) by positive.
-  assert (0 <= c) by positive.
-  assert (B : forall y, 0 <= y -> y * (m1 * l ^ 2) <= 2 * N l -> y / N l <= 2 / (m1 * l ^ 2)).
-  { intros y Hy Q. undivide (m1 * l ^ 2).
-    replace (y / N l * (m1 * l ^ 2)) with (y * (m1 * l ^ 2) / N l) by (field; lra). undivide (N l). exact Q. }
-  assert (Ba : a <= 2 / (m1 * l ^ 2)) by (apply B; [lra|unfold N; nra]).
-  assert (Be : e <= 2 / (m1 * l ^ 2)) by (apply B; [lra|pose proof (pow2_ge_0 (Kr l - Ki l)); unfold N; nra]).
-  assert (Bc : c <= 1 / (m2 * l ^ 2)).
-  { unfold c, Rdiv. rewrite Rmult_1_l. apply Rinv_le_contravar; [positive|]. apply Rmult_le_compat_l; nra. }
-  assert (Sum : l * (a + e + c) <= (4 / m1 + 1 / m2) / l).
-  { replace ((4 / m1 + 1 / m2) / l) with (l * (2 / (m1 * l ^ 2) + 2 / (m1 * l ^ 2) + 1 / (m2 * l ^ 2))) by (field; lra).
-    apply Rmult_le_compat_l; lra. }
-  replace (Gr l) with (l * a + om * e + l * c) by (unfold Gr, a, e, c; field; lra).
-  replace (Gi l) with (om * a - l * e - om * c) by (unfold Gi, a, e, c; field; lra). split; apply Rabs_le; nra.
+  intros Hl. pose proof (N_pos l ltac:(lra)) as Np. set (p := l * Kr l + om * Ki l).
+  set (q := om * Kr l - l * Ki l). set (s := l ^ 2 + om ^ 2). assert (Sp : 0 < s) by (unfold s; nra).
+  assert (Lp : 0 < m1 * l) by positive. assert (E : p ^ 2 + q ^ 2 = s * N l) by (unfold p, q, s, N; ring).
+  assert (Ep : p = m1 * l * s + (a1 * s + a2 * l)) by (unfold p, s, Kr, Ki; ring).
+  assert (0 <= a1 * s + a2 * l) by positive. assert (0 <= m1 * l * s) by positive. pose proof (pow2_ge_0 q).
+  assert (P : (m1 * l * s) ^ 2 <= p ^ 2) by (apply pow_incr; lra).
+  assert (N1 : (m1 * l) ^ 2 * s <= N l) by (apply Rmult_le_reg_l with s; lra).
+  assert (B : forall y c n, 0 < c -> 0 < n -> - n <= c * y <= n -> - / c <= y / n <= / c).
+  { intros y c n Hc Hn Hy. split; [apply Rle_div_r|apply Rle_div_l]; auto; apply Rmult_le_reg_l with c; auto;
+      field_simplify; lra. }
+  assert (K : forall y, y ^ 2 <= s * N l -> - / (m1 * l) <= y / N l <= / (m1 * l)).
+  { intros y Hy. apply B; auto. apply sq_le_abs; [lra|]. apply Rle_trans with ((m1 * l) ^ 2 * s * N l).
+    - rewrite Rpow_mult_distr, Rmult_assoc. scale.
+    - replace (N l ^ 2) with (N l * N l) by ring. scale. }
+  pose proof (K p ltac:(nra)). pose proof (K q ltac:(nra)).
+  pose proof (B l (m2 * l) (m2 * s) ltac:(positive) ltac:(positive) ltac:(unfold s; nra)).
+  assert (Os : 0 <= l * om <= s) by (pose proof (pow2_ge_0 (l - om)); unfold s; split; nra).
+  pose proof (B om (m2 * l) (m2 * s) ltac:(positive) ltac:(positive) ltac:(nra)).
+  replace ((/ m1 + / m2) / l) with (/ (m1 * l) + / (m2 * l)) by (field; lra).
+  split; apply Rabs_le; unfold Gr, Gi; fold p q s; lra.
 Qed.
 
 Lemma X_far : exists l, 0 < l /\ 0 < X l.
 Proof.
-  set (C := 4 / m1 + 1 / m2). set (p := Rabs f'). set (q := Rabs (f / rho)). assert (Pp : 0 <= p) by positive.
-  assert (Qp : 0 <= q) by positive. set (l := 1 + 2 * om + 4 * C * (p + q)). assert (CP : 0 <= C * (p + q)) by positive.
-  assert (L1 : 1 <= l) by (unfold l; lra). exists l. destruct (mobility_small l L1 ltac:(unfold l; lra)) as (Ga & Gb).
-  fold C in Ga, Gb. assert (S1 : forall z y, Rabs z <= p + q -> Rabs y <= C / l -> Rabs (z * y) <= / 4).
-  { intros z y Hz Hy. rewrite Rabs_mult. apply Rle_trans with ((p + q) * (C / l)).
-    - apply Rmult_le_compat; auto using Rabs_pos.
-    - replace ((p + q) * (C / l)) with ((p + q) * C / l) by (field; lra). undivide l. unfold l. lra. }
-  pose proof (S1 f' _ ltac:(fold p; lra) Ga) as A1. pose proof (S1 (f / rho) _ ltac:(fold q; lra) Ga) as A2.
-  pose proof (S1 f' _ ltac:(fold p; lra) Gb) as A3. pose proof (S1 (f / rho) _ ltac:(fold q; lra) Gb) as A4.
-  apply Rabs_inv in A1. apply Rabs_inv in A2. unfold X.
-  assert (A5 : Rabs (f' * (f / rho) * Gi l ^ 2) <= / 4 * / 4).
-  { replace (f' * (f / rho) * Gi l ^ 2) with (f' * Gi l * (f / rho * Gi l)) by ring. rewrite Rabs_mult.
+  set (c := / m1 + / m2). set (z := 1 + Rabs f' + Rabs (f / rho)). pose proof (Rabs_pos f').
+  pose proof (Rabs_pos (f / rho)). assert (Cp : 0 < c) by (unfold c; positive).
+  assert (Zp : 0 < z) by (unfold z; lra). assert (Lp : 0 < 4 * c * z) by positive. exists (4 * c * z).
+  split; [auto|]. destruct (mobility_small _ Lp) as (Ga & Gb). fold c in Ga, Gb.
+  replace (c / (4 * c * z)) with (/ 4 * / z) in Ga, Gb by (field; lra). unfold X.
+  assert (S : forall k y, Rabs k <= z -> Rabs y <= / 4 * / z -> - / 4 <= k * y <= / 4).
+  { intros k y Hk Hy. apply Rabs_inv. rewrite Rabs_mult. replace (/ 4) with (z * (/ 4 * / z)) by (field; lra).
     apply Rmult_le_compat; auto using Rabs_pos. }
-  apply Rabs_inv in A5. nra.
+  pose proof (fun y => S f' y ltac:(unfold z; lra)) as S1.
+  pose proof (fun y => S (f / rho) y ltac:(unfold z; lra)) as S2. pose proof (S1 _ Ga). pose proof (S1 _ Gb).
+  pose proof (S2 _ Ga). pose proof (S2 _ Gb). nra.
 Qed.
 
 (** [rotating-unstable] Where $X(0)<0$, the equations linearised about the slip that rotates with the force have a
@@ -103,15 +88,12 @@ Theorem repels : X0 m1 m2 a1 a2 om f f' rho < 0 -> exists lam q q' v v' w w' g g
   grows lam q q' v v' w w' g g' /\ (g <> 0 \/ g' <> 0).
 Proof.
   intros Neg. destruct X_far as (L & HL & XL). rewrite <- X_0 in Neg.
-  assert (Dp : forall l, 0 <= l -> 0 < d l).
-  { intros l Hl. pose proof (N_pos l Hl). unfold d. apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. nra. }
-  assert (CY : cont Y).
-  { eapply cont_of_derive. intros t. unfold Y, nr, ni, d, N, Kr, Ki. auto_derive; auto. reflexivity. }
-  destruct (cont_IVT Y 0 L CY ltac:(lra)) as (l & Hl & Zl).
-  { rewrite !Y_X by lra. pose proof (Dp 0 ltac:(lra)). pose proof (Dp L ltac:(lra)). assert (0 < d 0 ^ 2) by positive.
-    assert (d 0 ^ 2 * X 0 < 0) by nra. assert (0 < d L ^ 2 * X L) by positive. nra. }
-  rewrite Y_X in Zl by lra. assert (0 < d l ^ 2) by (pose proof (Dp l ltac:(lra)); positive).
-  assert (Xl : X l = 0) by nra. assert (Lp : 0 < l) by (destruct (Req_dec l 0) as [E|]; [rewrite E in Xl|]; lra).
+  assert (CX : cont X).
+  { apply cont_of_continuous. intros l Hl. apply @ex_derive_continuous. pose proof (N_pos l Hl).
+    assert (0 < m2 * (l ^ 2 + om ^ 2)) by (apply Rmult_lt_0_compat; nra). unfold X, Gr, Gi, N, Kr, Ki in *.
+    auto_derive. repeat split; lra. }
+  destruct (cont_IVT X 0 L CX ltac:(lra)) as (l & Hl & Xl); [nra|].
+  assert (Lp : 0 < l) by (destruct (Req_dec l 0) as [E|]; [rewrite E in Xl|]; lra).
   assert (Null : exists g g', (g <> 0 \/ g' <> 0) /\ (1 + f' * Gr l) * g - f' * Gi l * g' = 0 /\
     f / rho * Gi l * g + (1 + f / rho * Gr l) * g' = 0).
   { destruct (Req_dec (1 + f' * Gr l) 0) as [E2|E2]; [destruct (Req_dec (f' * Gi l) 0) as [E1|E1]|].

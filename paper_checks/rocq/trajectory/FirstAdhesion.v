@@ -5,25 +5,23 @@ From Coq Require Import QArith Qreals List.
 From InertialPair Require Import Dini Pair Pursuit Forced Waves Trajectory Velocities.
 Import ListNotations.
 
-(** slips at the head of a table: until they end, at te, the only contacts are those at their ends *)
-Lemma slips_first x v1 x2 v2 e later : forall slips t, (forall m, In m slips -> mode_until m <> Stick) ->
-  unfolds x v1 x2 v2 t (slips ++ later) e -> exists times te, t <= te /\
-  Forall2 (fun m r => within (time m) r) slips times /\ (forall r, In r times -> t < r <= te) /\
-  (forall u, t < u <= te -> (v1 u = v2 u <-> In u times)) /\ NoDup times /\ unfolds x v1 x2 v2 te later e.
+(** slips at the head of a table: the velocities agree only where one of them ends *)
+Lemma slips_first x v1 x2 v2 now later e : forall slips t, unfolds x v1 x2 v2 t (slips ++ now :: later) e ->
+  (forall m, In m (slips ++ [now]) -> mode_until m <> Stick) -> exists ta contacts, t < ta /\
+  within (time now) ta /\ within (place now) (x ta) /\ within (speed now) (v1 ta) /\ v1 ta = v2 ta /\
+  length contacts = length slips /\ NoDup contacts /\ (forall u, In u contacts <-> t < u < ta /\ v1 u = v2 u) /\
+  unfolds x v1 x2 v2 ta later e.
 Proof.
-  induction slips as [|now slips IH]; intros t S U.
-  - exists [], t. split; [lra|]. split; [auto|]. split; [intros r []|]. split; [intros u Hu; lra|auto using NoDup_nil].
-  - destruct U as (t1 & Ht1 & W & _ & _ & _ & Ev & Md & U).
-    destruct (IH t1 (fun m Hm => S m (or_intror Hm)) U) as (times & te & Le & Ws & In1 & Co & Nd & U').
-    exists (t1 :: times), te. split; [lra|]. split; [constructor; auto|].
-    split; [|split; [|split; [constructor; auto; intros Q; destruct (In1 _ Q); lra|auto]]].
-    + intros r [<-|Hr]; [lra|]. destruct (In1 r Hr); lra.
-    + intros u Hu. destruct (Rlt_dec t1 u).
-      * rewrite Co by lra. simpl. intuition. lra.
-      * destruct (Req_dec u t1) as [->|Ne]; [simpl; intuition|]. specialize (Md u ltac:(lra)).
-        specialize (S now (or_introl eq_refl)). split; intros Q.
-        { destruct (mode_until now) as [[|]|]; simpl in Md; [lra|lra|congruence]. }
-        { destruct Q as [->|Q]; [lra|]. destruct (In1 u Q); lra. }
+  induction slips as [|m slips IH]; intros t (t1 & Ht & W & X & _ & V & E & Md & U) S.
+  all: assert (Apart : forall u, t < u < t1 -> v1 u <> v2 u) by (intros u Hu Q; specialize (Md u Hu);
+    specialize (S _ (or_introl eq_refl)); destruct mode_until as [[|]|]; simpl in Md; [lra|lra|congruence]).
+  - exists t1, []. do 6 (split; [auto|]). split; [constructor|]. split; [|exact U]. intros u.
+    split; [intros []|intros (Hu & Q); exact (Apart u Hu Q)].
+  - destruct (IH t1 U (fun m Hm => S m (or_intror Hm))) as (ta & cs & Ha & A & B & C & D & Ln & Nd & Cs & U').
+    exists ta, (t1 :: cs). split; [lra|]. do 4 (split; [auto|]). split; [simpl; auto|]. split; [|split; [|auto]].
+    + constructor; auto. intros Q. apply Cs in Q. lra.
+    + intros u. simpl. rewrite Cs. split; [intros [<-|(Hu & Q)]; split; auto; lra|intros (Hu & Q)].
+      destruct (Rtotal_order u t1) as [L|[->|G]]; [destruct (Apart u ltac:(lra) Q)|auto|right; split; [lra|auto]].
 Qed.
 
 (** among finitely many times is none in some part of every interval *)
@@ -60,15 +58,9 @@ Lemma entry x v1 x2 v2 slips now later e : unfolds x v1 x2 v2 0 (slips ++ now ::
     length contacts = length slips /\ NoDup contacts /\ (forall u, In u contacts <-> 0 <= u < ta /\ v1 u = v2 u) /\
       unfolds x v1 x2 v2 ta later e.
 Proof.
-  intros U N S. apply slips_first in U; [|intros m Hm; apply S, in_or_app; auto].
-  destruct U as (times & te & P & Ws & In1 & Co & Nd & U). destruct U as (ta & Ha & Wa & Xa & _ & Va & Ea & Ma & U).
-  exists ta, times. split; [lra|]. do 4 (split; [auto|]). split; [clear - Ws; induction Ws; simpl; auto|].
-  split; [exact Nd|]. split; [|auto]. intros u. split.
-  - intros Q. destruct (In1 _ Q). split; [lra|]. apply Co; auto; lra.
-  - intros (Hu & Q). destruct (Rle_dec u te).
-    + apply Co; auto. split; [|lra]. destruct (Req_dec u 0) as [->|]; [contradiction|lra].
-    + specialize (Ma u ltac:(lra)). assert (M : mode_until now <> Stick) by (apply S, in_or_app; simpl; auto).
-      destruct (mode_until now) as [[|]|]; simpl in Ma; [lra|lra|congruence].
+  intros U N S. destruct (slips_first _ _ _ _ _ _ _ _ _ U S) as (ta & cs & A & B & C & D & E & Ln & Nd & Cs & U').
+  exists ta, cs. repeat (split; [assumption|]). split; [|auto]. intros u. rewrite Cs.
+  split; intros (Hu & Q); split; auto; [lra|]. destruct (Req_dec u 0) as [->|]; [contradiction|lra].
 Qed.
 
 (** [first-adhesion] The scene of Fig. 5: every solution sticks from 4.549769479... s to 4.579537997... s, not before,

@@ -129,9 +129,8 @@ Proof.
   - replace (S + d) with (S + r + (d - r)) by ring. eapply forced_obeys; eauto; [lra| |]; intros t Hu.
     + rewrite Rplus_assoc. apply rderiv_earlier, DU. lra.
     + rewrite !L by lra. auto.
-  - apply cont_minus; [apply integral_cont, C|apply cont_const].
-  - intros t Hu. apply rderiv_eq with (late u2 t - 0); [ring|].
-    apply rderiv_minus; [apply integral_rderiv; auto|apply rderiv_const].
+  - continuous.
+  - intros t Hu. rate. ring.
   - intros t Hu. replace t with (S + r + (t - (S + r))) by ring. set (u := t - (S + r)).
     assert (Hu' : 0 <= u <= d - r) by (unfold u; lra).
     pose proof (forced_contraction M1 M2 A1 A2 B Hm1 Hm2 Ha1 HB _ _ _ _ _ _ _ _ _ 0 u Sh G ltac:(lra)) as Q.
@@ -252,13 +251,6 @@ Proof.
   { unfold energy. positive. }
   apply (Rmult_le_compat_l (q * (p + q))) in E; [|positive]. apply (Rmult_le_compat_l (p * (p + q))) in F; [|positive].
   apply Rmult_le_reg_l with (p * q); [positive|]. unfold energy in *. lra.
-Qed.
-(** each part of what is small is small *)
-Lemma energy_part m c e r : 0 < m -> m * c ^ 2 / 2 <= e -> e <= r ^ 2 -> 0 <= r -> Rabs c <= r * sqrt (2 / m).
-Proof.
-  intros Hm E F Hr. apply Rsqr_incr_0; [|apply Rabs_pos|positive].
-  rewrite <- Rsqr_abs, Rsqr_mult, Rsqr_sqrt by positive. unfold Rsqr.
-  apply Rmult_le_reg_l with (m / 2); [lra|]. replace (m / 2 * (r * r * (2 / m))) with (r ^ 2) by (field; lra). nra.
 Qed.
 
 (** what is known of a state beside bounds: nothing; a contact; the edge on which a stick has ended *)
@@ -463,39 +455,12 @@ Proof.
   intros []. constructor; cbn [still drift even odd decay square clock answer sloped]; auto using has_dsteady; has.
 Qed.
 
-Section Kit.
-Context (K : kit I.type) (k : kit R) (HK : has_kit K k).
-Lemma has_slide s T t X x V v : has T t -> has X x -> has V v ->
-  has_parts (slide boxes K s T X V) (slide real k s t x v).
-Proof. destruct HK. apply has_swing; auto. pose proof (has_signed s _ _ h_kb0). has. Qed.
-Lemma has_drive s V v U u : has V v -> has U u -> has (drive boxes K s V U) (drive real k s v u).
-Proof. intros. pose proof (has_signed s _ _ (h_kb _ _ HK)). pose proof (h_k2 _ _ HK). unfold drive. has. Qed.
-Lemma has_stuck T t X x V v : has T t -> has X x -> has V v -> has_parts (stuck boxes K T X V) (stuck real k t x v).
-Proof. destruct HK. apply has_swing; auto. has. Qed.
-Lemma has_guard s T t X x V v W w : has T t -> has X x -> has V v -> has W w ->
-  has_parts (guard boxes K s T X V W) (guard real k s t x v w).
-Proof.
-  intros HT HX HV HW. destruct (has_sloped _ _ (has_slide s T t X x V v HT HX HV)). destruct HK. unfold guard, guard_of.
-  constructor; cbn [still drift even odd decay square clock answer]; auto using has_signed, has_scaled;
-    first [has; fail | apply J.neg_correct, has_signed; auto].
-Qed.
-Lemma has_grip s T t X x V v : has T t -> has X x -> has V v ->
-  has_parts (grip boxes K s T X V) (grip real k s t x v).
-Proof.
-  intros HT HX HV. destruct (has_sloped _ _ (has_sloped _ _ (has_stuck T t X x V v HT HX HV))). destruct HK.
-  unfold grip, grip_of. constructor; cbn [still drift even odd decay square clock answer]; auto;
-    first [has; fail | apply has_scaled; auto; intros | idtac]; apply J.neg_correct, has_signed; auto.
-Qed.
-Lemma has_edge s T t V v : has T t -> has V v -> has (edge boxes K s T V) (edge real k s t v).
-Proof. intros HT HV. destruct HK. unfold edge. has; [apply has_sval|apply has_signed; has]; auto. Qed.
-Lemma has_spare T t X x V v : has T t -> has X x -> has V v -> has (spare boxes K T X V) (spare real k t x v).
-Proof. intros HT HX HV. destruct HK. unfold spare. has; apply has_sval; auto. Qed.
-End Kit.
 End Precision.
-Ltac has := cbn [add sub mul div neg zero sin_of cos_of real boxes]; repeat first [assumption | apply has_rat
-  | apply J.zero_correct | apply J.add_correct | apply J.sub_correct
+Ltac has :=
+  cbn [add sub mul div neg zero sin_of cos_of real boxes still drift even odd decay square clock answer];
+  repeat first [assumption | apply has_rat | apply J.zero_correct | apply J.add_correct | apply J.sub_correct
   | apply J.mul_correct | apply J.div_correct | apply J.neg_correct | apply J.sqrt_correct | apply J.exp_correct
-  | apply has_cos_by | apply has_sin_by].
+  | apply has_cos_by | apply has_sin_by | apply has_signed | apply has_sval | apply has_scaled; intros].
 
 (** a swing beyond the critical damping *)
 Lemma two_exponentials g w even odd u : 0 < w ->
@@ -635,27 +600,27 @@ Definition begins how k F b at_b : bool :=
   end.
 
 Lemma begins_spec how k F f b at_b : has_wave F f -> has at_b (val f (Q2R b)) -> begins how k F b at_b = true ->
-  (how = Touch -> val f 0 = 0) -> (how = Edge k -> val f 0 = 0 /\ val (slope f) 0 = 0) ->
-  0 < Q2R b /\ 0 <= val f 0 /\ (forall u, 0 < u <= Q2R b -> 0 < val f u).
+  match how with Off => True | Touch => val f 0 = 0
+  | Edge k' => k' = k -> val f 0 = 0 /\ val (slope f) 0 = 0 end -> 0 < Q2R b /\ 0 <= val f 0 /\ (forall u, 0 < u <= Q2R b -> 0 < val f u).
 Proof.
-  intros W Hb0 B At Ae. pose proof (has_steep q _ _ W) as W'. pose proof (has_steep q _ _ W') as W''.
-  unfold begins in B. apply andb_true_iff in B. destruct B as (B & C). apply andb_true_iff in B.
-  destruct B as (Hb & Pb). apply posQ_spec in Hb. apply pos_spec with (r := val f (Q2R b)) in Pb; [|auto]. split; auto.
-  pose proof (mid_spec 0 b) as Mid. assert (Rest : forall d, 0 < Q2R d <= Q2R (mid 0 b) ->
+  intros W Hb0 B At. pose proof (has_steep q _ _ W) as W'. pose proof (has_steep q _ _ W') as W''.
+  unfold begins in B. rewrite !andb_true_iff in B. destruct B as ((Hb & Pb) & C). apply posQ_spec in Hb.
+  apply pos_spec with (r := val f (Q2R b)) in Pb; [|auto]. split; auto. pose proof (mid_spec 0 b) as Mid.
+  assert (Rest : forall d, 0 < Q2R d <= Q2R (mid 0 b) ->
     pos (value q F (rat q d)) && stays depth F (steep q F) (steep q (steep q F)) d b = true ->
     (forall u, 0 < u <= Q2R d -> 0 < val f u) -> forall u, 0 < u <= Q2R b -> 0 < val f u).
-  { intros d Hd E Q u Hu. apply andb_true_iff in E. destruct E as (Pd & St). destruct (Rle_dec u (Q2R d));
-    [apply Q; lra|].
-    apply (stays_spec depth F f d b); auto; [lra| |lra]. apply (pos_spec _ _ Pd), has_value, has_rat; auto. }
-  destruct how as [| |k'].
-  - apply andb_true_iff in C. destruct C as (P0 & St). apply pos_spec with (r := val f 0) in P0.
+  { intros d Hd E Q u Hu. apply andb_true_iff in E. destruct E as (Pd & St).
+    destruct (Rle_dec u (Q2R d)); [apply Q; lra|]. apply (stays_spec depth F f d b); auto; [lra| |lra].
+    apply (pos_spec _ _ Pd), has_value, has_rat; auto. }
+  destruct how as [| |k']; rewrite ?andb_true_iff in C.
+  - destruct C as (P0 & St). apply pos_spec with (r := val f 0) in P0.
     + split; [lra|]. intros u Hu. apply (stays_spec depth F f 0 b); auto; rewrite ?RMicromega.Q2R_0; auto; lra.
     + apply has_value; auto. rewrite <- RMicromega.Q2R_0. apply has_rat.
-  - rewrite (At eq_refl). split; [lra|]. destruct (early depth (steep q F) (mid 0 b)) as [d|] eqn:E; [|discriminate].
+  - rewrite At. split; [lra|]. destruct (early depth (steep q F) (mid 0 b)) as [d|] eqn:E; [|discriminate].
     destruct (early_spec _ _ _ _ _ W' E ltac:(lra)) as (Hd & Q). apply (Rest d); auto.
-    apply leaves_zero; auto. rewrite (At eq_refl); lra.
-  - apply andb_true_iff in C. destruct C as (Hk & C). apply eqb_prop in Hk. subst k'. destruct (Ae eq_refl) as (Z & S).
-    split; [lra|]. destruct (early depth (steep q (steep q F)) (mid 0 b)) as [d|] eqn:E; [|discriminate].
+    apply leaves_zero; auto; lra.
+  - destruct C as (Hk & C). destruct (At (eqb_prop _ _ Hk)) as (Z & S). split; [lra|].
+    destruct (early depth (steep q (steep q F)) (mid 0 b)) as [d|] eqn:E; [|discriminate].
     destruct (early_spec _ _ _ _ _ W'' E ltac:(lra)) as (Hd & Q). apply (Rest d); auto. intros u Hu.
     destruct (val_mean f 0 u ltac:(lra)) as (c & Hc & Ef). assert (0 < val (slope f) c); [|nra].
     apply (leaves_zero (slope f) (Q2R d)); auto; lra.
@@ -859,6 +824,9 @@ Definition fair ys := posQ (m1 sc) && posQ (m2 sc) && nonnegQ (a1 sc) && posQ (a
 Definition check bits ys events e hints : bool :=
   fair ys && goes (first_spell sc) (later_spells sc) ys (initial (bits_of bits)) None events e hints.
 
+(** until the end of a spell *)
+Definition upto_end (final : option Q) hi := match final with Some q => hi <= Q2R q | None => True end.
+
 (** *** It is right *)
 Let M1 := Q2R (m1 sc).
 Let M2 := Q2R (m2 sc).
@@ -891,24 +859,27 @@ Proof.
   rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_minus, Q2R_div, Q2R_mult, !fadeQ_spec by (auto using not_0). auto.
 Qed.
 
-Section Motion.
-Context (x v1 x2 v2 : R -> R) (Cx2 : cont x2) (Dx2 : forall t, 0 <= t -> rderiv x2 t (v2 t)).
-
 (** the bounds hold at the time t *)
-Definition knows B f st t := has (at_t st) t /\ has (at_x st) (x t) /\ has (at_v1 st) (v1 t) /\
-  has (at_x2 st) (x2 t) /\ has (at_v2 st) (v2 t) /\
+Definition knows (x v1 x2 v2 : R -> R) B f st t := has (at_t st) t /\ has (at_x st) (x t) /\
+  has (at_v1 st) (v1 t) /\ has (at_x2 st) (x2 t) /\ has (at_v2 st) (v2 t) /\
   match how st with Off => True | Touch => v1 t = v2 t
   | Edge k => v1 t = v2 t /\ A2 * x t + A1 * v1 t - sval real f t = - (sign k * (B * (M1 + M2) / M2)) end.
+(** a motion was close to another one, not before the time lo *)
+Definition is_close (x v1 v2 : R -> R) lo a := match a with None => True
+  | Some a => let s := Q2R (start_at a) in lo <= s /\ energy M1 M2 A2 (x s - Q2R (start_x a))
+      (v1 s - Q2R (start_v1 a)) (v2 s - Q2R (start_v2 a)) <= Q2R (radius a) ^ 2 end.
 
 Section Spell.
-Variables (now : spell) (y : steady Q * steady Q) (first : R) (final : option Q).
+Variables (now : spell) (y : steady Q * steady Q) (p : I.precision).
 Let B := Q2R (friction now).
 Let f := in_R (push now).
-Hypotheses (Hb : 0 < B) (Hs : 0 <= first).
-Hypotheses (Hy1 : answers M1 A1 A2 (in_R (fst y)) f) (HyM : answers (M1 + M2) A1 A2 (in_R (snd y)) f).
-Hypothesis H : forall hi, match final with Some q => hi <= Q2R q | None => True end ->
-  obeys M1 M2 A1 A2 B f first hi x v1 v2.
-Variable p : I.precision.
+(** what a spell is *)
+Definition answered := 0 < B /\ 0 <= Q2R (since now) /\ answers M1 A1 A2 (in_R (fst y)) f /\
+  answers (M1 + M2) A1 A2 (in_R (snd y)) f.
+Hypothesis An : answered.
+Let Hb : 0 < B := proj1 An.
+Let Hy1 := proj1 (proj2 (proj2 An)).
+Let HyM := proj2 (proj2 (proj2 An)).
 Let K := tuned p sc now y.
 Let k := real_kit M1 M2 A1 A2 B (in_R (fst y)) (in_R (snd y)) f.
 
@@ -927,73 +898,96 @@ Proof.
   apply J.sqrt_correct, (I.abs_correct _ (Xreal (Q2R (squareQ sc m)))), has_rat.
 Qed.
 
+Section Motion.
+Context (x v1 x2 v2 : R -> R) (Cx2 : cont x2) (Dx2 : forall t, 0 <= t -> rderiv x2 t (v2 t)).
+Context (first : R) (final : option Q) (Hs : 0 <= first).
+Hypothesis H : forall hi, upto_end final hi -> obeys M1 M2 A1 A2 B f first hi x v1 v2.
+Local Notation known := (knows x v1 x2 v2).
+
 Section State.
-Context (st : state) (t : R) (Kn : knows B f st t) (Ht : first <= t).
+Context (st : state) (t : R) (Kn : known B f st t) (Ht : first <= t).
 Let pw m := match m with Slip s => slide real k s t (x t) (v1 t) | Stick => stuck real k t (x t) (v1 t) end.
 Let fw m k' := match m with Slip s => guard real k s t (x t) (v1 t) (v2 t) | Stick => grip real k k' t (x t) (v1 t) end.
 
 Lemma has_path m : has_wave (path p K st m) (pw m).
 Proof.
-  destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply (has_side (m1 sc))|apply (has_side (both sc))];
-    rewrite ?both_spec; auto; try lra; [apply has_slide|apply has_stuck]; auto using has_tuned.
+  destruct Kn as (? & ? & ? & ? & ? & _), has_tuned.
+  destruct m; [apply (has_side (m1 sc))|apply (has_side (both sc))]; rewrite ?both_spec; auto; try lra;
+    apply has_swing; has.
 Qed.
 Lemma has_front m k' : has_wave (front p K st m k' (path p K st m)) (fw m k').
 Proof.
-  destruct Kn as (? & ? & ? & ? & ? & _).
-  destruct m; [apply (has_side (m1 sc))|apply (has_side (both sc))]; rewrite ?both_spec; auto; try lra; [apply
-    (has_guard p (numbers K) k has_tuned)|apply (has_grip p (numbers K) k has_tuned)]; auto.
+  pose proof (has_sloped p _ _ (h_parts _ _ (has_path m))) as W. pose proof (has_sloped p _ _ W) as [].
+  destruct Kn as (? & ? & ? & ? & ? & _), has_tuned, W.
+  destruct m; [apply (has_side (m1 sc))|apply (has_side (both sc))]; rewrite ?both_spec; auto; try lra;
+    constructor; has.
 Qed.
 
-(** the guard of a slip, once it is accepted *)
-Lemma slip_begins k' k'' hi i : has i (val (fw (Slip k') k'') (Q2R hi)) ->
-  begins p q depth (how st) k' (front p K st (Slip k') k'' (path p K st (Slip k'))) hi i = true ->
-  0 < Q2R hi /\ 0 <= val (fw (Slip k') k'') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (fw (Slip k') k'') u).
+(** the front, once it is accepted *)
+Lemma front_begins m k' hi i : has i (val (fw m k') (Q2R hi)) ->
+  begins p q depth match m with Slip _ => how st | Stick => held (how st) k' end
+    match m with Slip s => s | Stick => k' end (front p K st m k' (path p K st m)) hi i = true ->
+  0 < Q2R hi /\ 0 <= val (fw m k') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (fw m k') u).
 Proof.
   intros Hi E. destruct Kn as (_ & _ & _ & _ & _ & Kh).
-  apply (begins_spec p q depth (how st) k' _ _ _ _ (has_front (Slip k') k'') Hi E); unfold fw.
-  - intros Eh. rewrite Eh in Kh. rewrite <- Kh. apply guard_touch; auto.
-  - intros Eh. rewrite Eh in Kh. destruct Kh as (Ev & Ex). rewrite <- Ev. split.
-    + apply guard_touch; auto.
-    + apply guard_edge; auto.
-Qed.
-(** and that of a stick *)
-Lemma stick_begins k' hi i : has i (val (fw Stick k') (Q2R hi)) ->
-  begins p q depth (held (how st) k') k' (front p K st Stick k' (path p K st Stick)) hi i = true ->
-  0 < Q2R hi /\ 0 <= val (fw Stick k') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (fw Stick k') u).
-Proof.
-  intros Hi E. destruct Kn as (_ & _ & _ & _ & _ & Kh).
-  apply (begins_spec p q depth (held (how st) k') k' _ _ _ _ (has_front Stick k') Hi E); unfold held;
-    destruct (how st) as [| |k'']; try discriminate; destruct (eqb k'' k') eqn:Ek; try discriminate.
-  apply eqb_prop in Ek. subst k''. intros _. apply grip_edge; auto. apply Kh.
+  apply (begins_spec _ _ _ _ _ _ _ _ _ (has_front m k') Hi E).
+  destruct m as [s|]; unfold fw; destruct (how st) as [| |k'']; simpl; auto.
+  - rewrite <- Kh. apply guard_touch; auto.
+  - intros ->. destruct Kh as (<- & Ex). split; [apply guard_touch|apply guard_edge]; auto.
+  - destruct (eqb k'' k') eqn:Ek; auto. apply eqb_prop in Ek. subst k''. apply grip_edge; auto. apply Kh.
 Qed.
 (** a touching state touches *)
 Lemma knows_touch : touches (how st) = true -> v1 t = v2 t.
 Proof. destruct Kn as (_ & _ & _ & _ & _ & Kh). destruct (how st); try discriminate; intuition. Qed.
 (** the spell lasts *)
-Lemma fits_spec i r : fits p final i = true -> has i r -> match final with Some q => r <= Q2R q | None => True end.
+Lemma fits_spec i r : fits p final i = true -> has i r -> upto_end final r.
 Proof.
-  unfold fits. destruct final as [e|]; auto. intros E Hi. apply nonneg_spec with (r := Q2R e - r) in E; [lra|has].
+  unfold fits, upto_end. destruct final as [e|]; auto. intros E Hi.
+  apply nonneg_spec with (r := Q2R e - r) in E; [lra|has].
 Qed.
-(** body 2 in a slip *)
-Lemma slip_behind k' u w i : 0 <= u -> (forall r, 0 <= r <= u -> v2 (t + r) = drive real k k' (v2 t) r) ->
-  has w (v2 (t + u)) -> has i u -> has (behind p st w i) (x2 (t + u)).
+(** the motion runs along the waves of the mode at the time r from now *)
+Definition along m k' r := x (t + r) = val (pw m) r /\ v1 (t + r) = val (slope (pw m)) r /\
+  v2 (t + r) = match m with Slip s => drive real k s (v2 t) r | Stick => val (slope (pw m)) r end /\
+  v1 (t + r) - v2 (t + r) = match m with Slip s => sign s * val (fw m k') r | Stick => 0 end.
+Lemma along_mode m k' r : along m k' r -> 0 < val (fw m k') r -> in_mode m (v1 (t + r)) (v2 (t + r)).
+Proof. intros (_ & _ & _ & E) P. destruct m as [[|]|]; simpl in *; lra. Qed.
+(** it does as long as its front is positive; a stick, as long as friction holds on the other side, too *)
+Lemma phase m k' u hi : upto_end final (t + u) -> 0 <= u <= hi -> 0 <= val (fw m k') 0 ->
+  (forall r, 0 < r < u -> 0 < val (fw m k') r) ->
+  (m = Stick -> v1 t = v2 t /\ forall r, 0 <= r <= hi -> 0 <= val (fw m (negb k')) r) ->
+  forall r, 0 <= r <= u -> along m k' r.
 Proof.
-  intros Hu V Hw Hi. destruct Kn as (Kt & Kx & K1 & Kx2 & K2 & _).
-  replace (x2 (t + u)) with (x2 t + Q2R (1 # 2) * (v2 t + v2 (t + u)) * u); [unfold behind; has|].
-  rewrite (same_way x2 v2 (fun r => v2 t * r + signed real k' B / M2 / 2 * (r * r)) (drive real k k' (v2 t)) t u); auto;
-    [| lra |].
-  - rewrite V by lra. unfold drive, Q2R; simpl. lra.
-  - intros r. unfold drive; simpl. fold B. auto_derive; auto. lra.
+  intros Hf Hu Z P St r Hr. assert (Nn : forall r, 0 <= r < u -> 0 <= val (fw m k') r).
+  { intros c Hc. destruct (Req_dec c 0) as [->|]; auto. apply Rlt_le, P; lra. }
+  unfold along. destruct m as [s|].
+  - destruct (slip_phase M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ (H _ Hf) t Ht s u
+      ltac:(lra) ltac:(lra) Nn r Hr) as (-> & -> & ->). unfold fw, pw, k. rewrite val_guard by auto.
+    destruct s; simpl; repeat split; ring.
+  - destruct (St eq_refl) as (Ev & O). destruct (stick_phase M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM
+      x v1 v2 _ _ (H _ Hf) t Ht u ltac:(lra) ltac:(lra) Ev) with (u := r) as (-> & -> & ->); auto;
+      [|repeat split; ring]. intros c Hc. specialize (Nn c Hc). specialize (O c ltac:(lra)). destruct k'; auto.
 Qed.
-(** and in a stick *)
-Lemma stick_behind u i j : 0 <= u -> (forall r, 0 <= r <= u -> v2 (t + r) = val (slope (stuck real k t (x t) (v1 t))) r) ->
-  has i (val (stuck real k t (x t) (v1 t)) u) -> has j (x t) -> has (I.add p (at_x2 st) (I.sub p i j)) (x2 (t + u)).
+(** where friction has nothing left a stick is on the edge *)
+Lemma at_edge k' u : along Stick k' u -> val (fw Stick k') u = 0 ->
+  A2 * x (t + u) + A1 * v1 (t + u) - sval real f (t + u) = - (sign k' * (B * (M1 + M2) / M2)).
 Proof.
-  intros Hu V Hi Hj. destruct Kn as (Kt & Kx & K1 & Kx2 & K2 & _).
-  rewrite (same_way x2 v2 (val (stuck real k t (x t) (v1 t))) (val (slope (stuck real k t (x t) (v1 t)))) t u); auto;
-    [|lra|intros; apply derive_val].
-  replace (val (stuck real k t (x t) (v1 t)) 0) with (x t); [has|]. symmetry.
-  destruct (stuck_start M1 M2 A1 A2 B (in_R (fst y)) (in_R (snd y)) f t (x t) (v1 t)) as (E & _). exact E.
+  intros (-> & -> & _) E. unfold fw, pw, k in *. rewrite val_grip in E.
+  pose proof (stuck_law M1 M2 A1 A2 B Hm1 Hm2 (in_R (fst y)) (in_R (snd y)) f HyM t (x t) (v1 t) u) as L.
+  replace (sign k' * (B * (M1 + M2) / M2)) with ((M1 + M2) * (sign k' * (B / M2))) by (field; lra).
+  destruct k'; simpl in *; nra.
+Qed.
+(** body 2 on the way *)
+Lemma place2_along m k' u : 0 <= u -> (forall r, 0 <= r <= u -> along m k' r) -> x2 (t + u) = match m with
+  | Slip _ => x2 t + Q2R (1 # 2) * (v2 t + v2 (t + u)) * u | Stick => x2 t + (x (t + u) - x t) end.
+Proof.
+  intros Hu A. destruct m as [s|].
+  - rewrite (same_way x2 v2 (fun r => v2 t * r + signed real s B / M2 / 2 * (r * r)) (drive real k s (v2 t))
+      t u); auto; [|lra|intros r; unfold drive; simpl; fold B; auto_derive; auto; lra|intros r Hr; apply A,
+      Hr]. destruct (A u ltac:(lra)) as (_ & _ & -> & _). unfold drive, Q2R; simpl. fold B. lra.
+  - rewrite (same_way x2 v2 (val (pw Stick)) (val (slope (pw Stick))) t u); auto;
+      [|lra|apply derive_val|intros r Hr; apply A, Hr].
+    rewrite (proj1 (A u ltac:(lra))). do 2 f_equal. symmetry. destruct (A 0 ltac:(lra)) as (E & _).
+    rewrite Rplus_0_r in E. auto.
 Qed.
 
 (** what is computed once serves all waves of a phase *)
@@ -1018,44 +1012,45 @@ Lemma keeps_spec m k' lo i hi on : has i (val (fw m k') (Q2R lo)) ->
   (m = Stick -> v1 t = v2 t /\ forall u, 0 <= u <= Q2R hi -> 0 <= val (fw m (negb k')) u).
 Proof.
   intros Hi Ho E. destruct m as [s|].
-  - destruct (slip_begins s k' lo i Hi E) as (A & Z & P). repeat (split; [assumption|]). discriminate.
+  - destruct (front_begins (Slip s) k' lo i Hi E) as (A & Z & P). repeat (split; [assumption|]). discriminate.
   - unfold keeps in E. rewrite !andb_true_iff in E. destruct E as ((To & E1) & E2).
-    destruct (stick_begins k' lo i Hi E1) as (A & Z & P).
-    destruct (stick_begins (negb k') hi _ (Ho eq_refl) E2) as (_ & Z' & P'). repeat (split; [assumption|]). intros _.
-    split; [apply knows_touch, To|]. intros u Hu. destruct (Req_dec u 0) as [->|]; auto. apply Rlt_le, P'; lra.
+    destruct (front_begins Stick k' lo i Hi E1) as (A & Z & P).
+    destruct (front_begins Stick (negb k') hi _ (Ho eq_refl) E2) as (_ & Z' & P').
+    repeat (split; [assumption|]). intros _. split; [apply knows_touch, To|]. intros u Hu.
+    destruct (Req_dec u 0) as [->|]; auto. apply Rlt_le, P'; lra.
 Qed.
 (** the state that it comes to *)
-Lemma moved_spec m it iu u on hw : 0 <= u -> has it (t + u) -> has iu u -> has (on (path p K st m)) (val (pw m) u) ->
-  has (on (steep p (path p K st m))) (val (slope (pw m)) u) ->
-  x (t + u) = val (pw m) u -> v1 (t + u) = val (slope (pw m)) u ->
-  (forall r, 0 <= r <= u -> v2 (t + r) = match m with
-    Slip s => drive real k s (v2 t) r | Stick => val (slope (pw m)) r end) ->
+Lemma moved_spec m k' it iu u on hw : 0 <= u -> has it (t + u) -> has iu u ->
+  has (on (path p K st m)) (val (pw m) u) -> has (on (steep p (path p K st m))) (val (slope (pw m)) u) ->
+  (forall r, 0 <= r <= u -> along m k' r) ->
   forall B' f', (B' = B /\ f' = f \/ forall s, hw <> Edge s) -> match hw with Off => True
     | Touch => v1 (t + u) = v2 (t + u) | Edge s => v1 (t + u) = v2 (t + u) /\
     A2 * x (t + u) + A1 * v1 (t + u) - sval real f' (t + u) = - (sign s * (B' * (M1 + M2) / M2)) end ->
-  knows B' f' (moved p K st m (path p K st m) it iu on hw) (t + u).
+  known B' f' (moved p K st m (path p K st m) it iu on hw) (t + u).
 Proof.
-  intros Hu Hit Hiu Hx Hv Ex E1 E2 B' f' Kb Kh. pose proof Kn as (Kt & Kx & K1 & Kx2 & K2 & _). pose proof Hx as Hx'.
-  rewrite <- Ex in Hx. rewrite <- E1 in Hv. unfold knows, moved.
+  intros Hu Hit Hiu Hx Hv A B' f' Kb Kh. pose proof Kn as (Kt & Kx & K1 & Kx2 & K2 & _).
+  pose proof (place2_along m k' u Hu A) as X2. destruct (A u ltac:(lra)) as (Ex & E1 & E2 & _).
+  rewrite <- Ex in Hx. rewrite <- E1 in Hv. unfold knows, moved. rewrite X2.
   destruct m as [s|]; cbn [at_t at_x at_v1 at_x2 at_v2 how]; (split; [exact Hit|]).
   - assert (Hw : has (drive (boxes p) (numbers K) s (at_v2 st) iu) (v2 (t + u))).
-    { rewrite E2 by lra. apply has_drive; auto using has_tuned. }
-    split; [exact Hx|]. split; [|split; [apply (slip_behind s)|]; auto].
+    { rewrite E2. destruct has_tuned. unfold drive. has. }
+    split; [exact Hx|]. split; [|split; [unfold behind; has|auto]].
     destruct hw; cbn [touches]; [exact Hv|rewrite Kh|rewrite (proj1 Kh)]; exact Hw.
-  - split; [|split; [exact Hv|split; [apply stick_behind; auto|split; [rewrite E2, <- E1 by lra; exact Hv|exact Kh]]]].
+  - rewrite <- E1 in E2. split; [|split; [exact Hv|split; [has|split; [rewrite E2; exact Hv|exact Kh]]]].
     destruct hw as [| |s]; auto. destruct Kb as [(-> & ->)|N]; [|destruct (N s); auto].
-    replace (x (t + u)) with (edge real k s (t + u) (v1 (t + u))); [apply (has_edge p (numbers K) k has_tuned); auto|].
-    assert (E : A2 * x (t + u) = sval real f (t + u) - sign s * (B * (M1 + M2) / M2) - A1 * v1 (t + u)) by lra.
-    apply Rmult_eq_reg_l with A2; [|lra]. rewrite E. unfold edge; simpl. rewrite signed_real. field; lra.
+    replace (x (t + u)) with (edge real k s (t + u) (v1 (t + u))); [destruct has_tuned; unfold edge; has|].
+    unfold edge; simpl. rewrite signed_real. fold A1 A2. apply Rmult_eq_reg_l with A2; [|lra].
+    replace (A2 * x (t + u)) with (sval real f (t + u) - sign s * (B * (M1 + M2) / M2) - A1 * v1 (t + u))
+      by lra. field; lra.
 Qed.
 
 (** one event *)
 Lemma step_sound m least most k' st' : step p q depth K final st m least most k' = Some st' ->
-  exists t', t < t' /\ v1 t' = v2 t' /\ (forall u, t < u < t' -> in_mode m (v1 u) (v2 u)) /\ knows B f st' t'.
+  exists t', t < t' /\ v1 t' = v2 t' /\ (forall u, t < u < t' -> in_mode m (v1 u) (v2 u)) /\ known B f st' t'.
 Proof.
   pose proof Kn as (Kt & _). unfold step. destruct (_ && nonneg _) eqn:C; [|discriminate]. intros E. injection E as <-.
   rewrite !andb_true_iff in C. destruct C as (((E0 & Ef) & Ek) & En). apply Qle_bool_iff, Qle_Rle in E0.
-  pose proof (has_rat p most) as Hmost. apply fits_spec with (r := t + Q2R most) in Ef; [|has]. specialize (H _ Ef).
+  pose proof (has_rat p most) as Hmost. apply fits_spec with (r := t + Q2R most) in Ef; [|has].
   destruct (on_time m k' _ _ Hmost) as (Hend & Hpath & Hsteep & Hother).
   set (on := at_time p (front p K st m k' (path p K st m)) (rat p most)) in *.
   set (F := front p K st m k' (path p K st m)) in *.
@@ -1063,34 +1058,24 @@ Proof.
   { apply has_near; [exact (has_front m k')|exact Hend|lra|]. rewrite <- Q2R_minus. apply has_rat. }
   destruct (keeps_spec _ _ _ _ _ _ Hleast Hother Ek) as (Hl & Z & P & St).
   apply nonneg_spec with (r := - val (fw m k') (Q2R most)) in En; [|apply J.neg_correct; auto].
-  assert (U : exists u, Q2R least < u <= Q2R most /\ v1 (t + u) = v2 (t + u) /\
-    (forall r, 0 < r < u -> in_mode m (v1 (t + r)) (v2 (t + r))) /\ x (t + u) = val (pw m) u /\
-    v1 (t + u) = val (slope (pw m)) u /\ (forall r, 0 <= r <= u -> v2 (t + r) = match m with
-      Slip s => drive real k s (v2 t) r | Stick => val (slope (pw m)) r end) /\ (m = Stick ->
-    A2 * x (t + u) + A1 * v1 (t + u) - sval real f (t + u) = - (sign k' * (B * (M1 + M2) / M2)))).
-  { destruct m as [s|].
-    - destruct (slip_until M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s (Q2R least) (Q2R most))
-        as (u & Hu & Q & Ev & Ex & E1 & V); [lra|lra|exact Z|exact P|apply Ropp_le_cancel; rewrite Ropp_0; exact En|].
-      exists u. repeat (split; [assumption|]). split; [intros r Hr; specialize (Q r Hr); destruct s; simpl in *; lra|].
-      repeat (split; [assumption|]). discriminate.
-    - destruct (St eq_refl) as (Ev0 & O).
-      destruct (stick_until M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H t Ht k' (Q2R least)
-        (Q2R most)) as (u & Hu & Ev & Ee & Ex & V);
-        [lra|lra|auto|exact Z|exact P|exact O|apply Ropp_le_cancel; rewrite Ropp_0; exact En|].
-      exists u. split; [auto|]. split; [apply Ev; lra|]. split; [intros r Hr; apply Ev; lra|]. split; [exact Ex|].
-      split; [apply V; lra|]. split; [intros r Hr; rewrite <- Ev by auto; apply V, Hr|auto]. }
-  destruct U as (u & Hu & Ev & Q & Ex & E1 & E2 & Ee). exists (t + u). split; [lra|]. split; [auto|]. split.
-  - intros r Hr. specialize (Q (r - t) ltac:(lra)). replace (t + (r - t)) with r in Q by ring. auto.
+  destruct (wave_root (fw m k') (Q2R least) (Q2R most) ltac:(lra) P ltac:(lra)) as (u & Hu & E & Q).
+  assert (A : forall r, 0 <= r <= u -> along m k' r).
+  { apply (phase m k' u (Q2R most)); auto; [|lra]. unfold upto_end in *. destruct final; lra. }
+  assert (Ev : v1 (t + u) = v2 (t + u)).
+  { destruct (A u ltac:(lra)) as (_ & _ & _ & Er). rewrite E in Er. destruct m; lra. }
+  exists (t + u). split; [lra|]. split; [auto|]. split.
+  - intros r Hr. replace r with (t + (r - t)) by ring. apply along_mode with k'; [apply A|apply Q]; lra.
   - assert (Hh : has (hull p least most) u) by (apply has_hull; lra).
     assert (Hd : has (hull p (least - most) 0) (u - Q2R most)).
     { apply has_hull. rewrite Q2R_minus, RMicromega.Q2R_0. lra. }
-    apply moved_spec; auto; [lra|has|apply has_near; auto using has_path; lra| |destruct m; auto].
-    apply has_near; auto using has_path, has_steep. lra.
+    apply (moved_spec m k'); auto; [lra|has|apply has_near; auto using has_path; lra|..].
+    + apply has_near; auto using has_path, has_steep. lra.
+    + destruct m; [auto|]. split; [auto|]. apply at_edge; auto. apply A; lra.
 Qed.
 (** a rest *)
 Lemma rest_sound m until least st' w : rest p q depth K final st m until least = Some (st', w) ->
-  t < Q2R until /\ (match final with Some q => Q2R until <= Q2R q | None => True end) /\
-  (forall u, t < u <= Q2R until -> in_mode m (v1 u) (v2 u)) /\ (forall B' f', knows B' f' st' (Q2R until)) /\
+  t < Q2R until /\ upto_end final (Q2R until) /\
+  (forall u, t < u <= Q2R until -> in_mode m (v1 u) (v2 u)) /\ (forall B' f', known B' f' st' (Q2R until)) /\
   has w (v1 (Q2R until) - v2 (Q2R until)).
 Proof.
   pose proof Kn as (Kt & _). unfold rest. set (iu := I.sub p (rat p until) (at_t st)).
@@ -1098,36 +1083,22 @@ Proof.
   rewrite !andb_true_iff in C. destruct C as (((E1 & E2) & Ef) & Ek).
   assert (Hu : has iu (Q2R until - t)) by (unfold iu; has). set (u := Q2R until - t) in *.
   assert (Eu : Q2R until = t + u) by (unfold u; ring). apply pos_spec with (r := u) in E1; auto.
-  apply nonneg_spec with (r := Q2R least - u) in E2; [|has].
-  assert (Fin : match final with Some q => Q2R until <= Q2R q | None => True end).
-  { unfold upto in Ef. destruct final; auto. apply Qle_Rle, Qle_bool_iff, Ef. }
-  specialize (H _ Fin). assert (Hc : has (rat p until) (t + u)) by (rewrite <- Eu; has). rewrite Eu in H, Fin |- *.
+  apply nonneg_spec with (r := Q2R least - u) in E2; [|has]. assert (Fin : upto_end final (Q2R until)).
+  { unfold upto, upto_end in *. destruct final; auto. apply Qle_Rle, Qle_bool_iff, Ef. }
+  assert (Hc : has (rat p until) (t + u)) by (rewrite <- Eu; has). rewrite Eu in Fin |- *.
   destruct (on_time m true _ _ (has_rat p least)) as (Hleast & _ & _ & Hother).
   destruct (on_time m true _ _ Hu) as (Hend & Hpath & Hsteep & _).
   destruct (keeps_spec _ _ _ _ _ _ Hleast Hother Ek) as (Hl & Z & P & St).
-  assert (Nn : forall r, 0 <= r < u -> 0 <= val (fw m true) r).
-  { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, P; lra. }
-  assert (U : forall r, 0 <= r <= u -> x (t + r) = val (pw m) r /\ v1 (t + r) = val (slope (pw m)) r /\
-    v2 (t + r) = match m with Slip s => drive real k s (v2 t) r | Stick => val (slope (pw m)) r end).
-  { destruct m as [s|].
-    - exact (slip_phase M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s u ltac:(lra) ltac:(lra)
-        Nn).
-    - destruct (St eq_refl) as (Ev & O). apply (stick_phase M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y))
-        _ _ HyM x v1 v2 _ _ H t Ht u ltac:(lra) ltac:(lra) Ev). intros r Hr. split; [apply Nn, Hr|apply O; lra]. }
-  assert (Slope : forall s r, m = Slip s -> 0 <= r <= u -> v1 (t + r) - v2 (t + r) = sign s * val (fw m true) r).
-  { intros s r -> Hr. destruct (U r Hr) as (_ & -> & ->). unfold fw, pw, k. rewrite val_guard by auto.
-    destruct s; simpl; ring. }
+  assert (A : forall r, 0 <= r <= u -> along m true r).
+  { apply (phase m true u (Q2R least)); auto; [lra|]. intros r Hr. apply P; lra. }
   assert (In : forall r, 0 < r <= u -> in_mode m (v1 (t + r)) (v2 (t + r))).
-  { intros r Hr. destruct m as [s|].
-    - specialize (Slope s r eq_refl ltac:(lra)). specialize (P r ltac:(lra)). destruct s; simpl in *; lra.
-    - destruct (U r ltac:(lra)) as (_ & -> & ->). reflexivity. }
-  destruct (U u ltac:(lra)) as (Ex & F1 & _). split; [lra|]. split; [auto|]. split; [|split].
-  - intros r Hr. specialize (In (r - t) ltac:(lra)). replace (t + (r - t)) with r in In by ring. auto.
-  - intros B' f'. apply moved_spec; auto; [lra|intros r Hr; apply U, Hr|right; destruct m; discriminate|].
+  { intros r Hr. apply along_mode with true; [apply A|apply P]; lra. }
+  split; [lra|]. split; [auto|]. split; [|split].
+  - intros r Hr. replace r with (t + (r - t)) by ring. apply In. lra.
+  - intros B' f'. apply (moved_spec m true); auto; [lra|right; destruct m; discriminate|].
     destruct m; [exact I|apply (In u); lra].
-  - destruct m as [s|].
-    + rewrite (Slope s) by (auto; lra). rewrite <- signed_real. apply has_signed, Hend.
-    + rewrite (In u ltac:(lra)), Rminus_diag_eq by auto. apply J.zero_correct.
+  - destruct (A u ltac:(lra)) as (_ & _ & _ & ->). destruct m as [s|]; [|apply J.zero_correct].
+    rewrite <- signed_real. apply has_signed, Hend.
 Qed.
 
 (** a stick for ever *)
@@ -1135,16 +1106,16 @@ Lemma captive_spec : final = None -> constant (push now) = true -> captive p K s
 Proof.
   intros Ef Co E u Hu. rewrite Ef in H. apply andb_true_iff in E. destruct E as (To & Sp).
   pose proof Kn as (Kt & Kx & K1 & _). replace u with (t + (u - t)) by ring.
-  apply (stick_for_ever M1 M2 A1 A2 B Hm1 Hm2 Ha1 Ha2 Hb (in_R (fst y)) (in_R (snd y)) f HyM x v1 v2 first u);
-    auto using knows_touch; try lra.
+  apply (stick_for_ever M1 M2 A1 A2 B Hm1 Hm2 Ha1 Ha2 Hb (in_R (fst y)) (in_R (snd y)) f HyM x v1 v2 first u
+    (H u I)); auto using knows_touch; try lra.
   - intros r. apply constant_spec, Co.
-  - apply (nonneg_spec _ _ Sp), has_spare; auto using has_tuned.
+  - apply (nonneg_spec _ _ Sp). destruct has_tuned. unfold spare. has.
 Qed.
 End State.
 
 (** several events *)
-Lemma passes_sound steps : forall st t st', knows B f st t -> first <= t -> passes p q depth K final st steps = Some st' ->
-  exists t', first <= t' /\ knows B f st' t'.
+Lemma passes_sound steps : forall st t st', known B f st t -> first <= t ->
+  passes p q depth K final st steps = Some st' -> exists t', first <= t' /\ known B f st' t'.
 Proof.
   induction steps as [|(((m, least), most), k') steps IH]; cbn [passes]; intros st t st' Kn Ht E.
   - injection E as <-. eauto.
@@ -1152,16 +1123,72 @@ Proof.
     destruct (step_sound st t Kn Ht _ _ _ _ _ E1) as (t1 & Ht1 & _ & _ & Kn1). apply (IH st1 t1); auto. lra.
 Qed.
 (** a small difference *)
-Lemma small_spec st t a r : knows B f st t -> small p K st a r = true -> energy M1 M2 A2 (x t - Q2R (start_x a))
-  (v1 t - Q2R (start_v1 a)) (v2 t - Q2R (start_v2 a)) <= Q2R r ^ 2.
+Lemma small_spec st t a r : known B f st t -> small p K st a r = true ->
+  energy M1 M2 A2 (x t - Q2R (start_x a)) (v1 t - Q2R (start_v1 a)) (v2 t - Q2R (start_v2 a)) <= Q2R r ^ 2.
 Proof.
   intros (_ & Hx & H1 & _ & H2 & _) E. pose proof has_tuned as T. unfold small in E. set (c := x t - Q2R (start_x a)).
   set (d := v1 t - Q2R (start_v1 a)). set (e := v2 t - Q2R (start_v2 a)).
   apply nonneg_spec with (r := Q2R (2 * (r * r)) - (A2 * (c * c) + M1 * (d * d) + M2 * (e * e))) in E;
     [|unfold c, d, e; has]. rewrite !Q2R_mult in E. unfold energy. lra.
 Qed.
-End Spell.
 End Motion.
+
+Section Close.
+Variables x v1 x2 v2 : R -> R.
+Local Notation known := (knows x v1 x2 v2).
+Lemma renewed_sound st m until least a steps b : follows M1 M2 A1 A2 B f (Q2R (since now)) (Q2R until) x v1
+  v2 -> is_close x v1 v2 (Q2R (since now)) a -> known B f st (Q2R until) ->
+  renewed p q depth K st m until least a steps b = true -> Q2R (start_at b) = Q2R until /\
+  0 <= Q2R (radius b) /\ is_close x v1 v2 (Q2R until) (Some b).
+Proof.
+  intros (_ & Beside) Cl Kn E. unfold renewed in E. rewrite !andb_true_iff in E.
+  destruct E as ((Eb & Rb) & E). apply Qeq_bool_iff, Qeq_eqR in Eb. apply nonnegQ_spec in Rb. split; [auto|].
+  split; [auto|]. unfold is_close. rewrite Eb. split; [lra|]. destruct a as [a|].
+  - rewrite !andb_true_iff in E. destruct E as (((Ra & Rd) & Hu) & E). apply posQ_spec in Ra.
+    apply posQ_spec in Rd. apply Qle_bool_iff, Qle_Rle in Hu. destruct Cl as (Ha & Cl).
+    set (s := Q2R (start_at a)) in *. pose proof (proj1 (proj2 An)) as Hs.
+    destruct (Beside s (Q2R (start_x a)) (Q2R (start_v1 a)) (Q2R (start_v2 a)) ltac:(lra))
+      as (z & u1 & z2 & u2 & (Z0 & U1 & Z2 & U2) & Ob & C2 & D2 & Near).
+    destruct (passes _ _ _ _ _ _ _) as [st1|] eqn:E1; [|discriminate].
+    destruct (rest _ _ _ _ _ _ _ _ _) as [(st2, w)|] eqn:E2; [|discriminate].
+    assert (H : forall hi, hi <= Q2R until -> obeys M1 M2 A1 A2 B f s hi z u1 u2).
+    { intros hi Hh t0 T X V1 V2 g Ht HT Hd. apply Ob; auto. lra. }
+    assert (K0 : knows z u1 z2 u2 B f (starting p a) s).
+    { unfold knows, starting; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite Z0, U1, Z2, U2.
+      repeat (split; [try apply has_rat; try apply J.zero_correct|]). destruct (Qeq_bool _ _) eqn:Q; auto.
+      apply Qeq_bool_iff, Qeq_eqR in Q. auto. }
+    destruct (passes_sound z u1 z2 u2 C2 D2 s (Some until) ltac:(lra) H steps _ s st1 K0 (Rle_refl s) E1)
+      as (t1 & Ht1 & K1).
+    destruct (rest_sound z u1 z2 u2 C2 D2 s (Some until) ltac:(lra) H _ t1 K1 Ht1 _ _ _ _ _ E2)
+      as (Ht2 & _ & _ & K2 & _). pose proof (small_spec z u1 z2 u2 _ _ _ _ (K2 B f) E) as Sm.
+    rewrite Q2R_minus in Sm, Rd. pose proof (Rle_trans _ _ _ (Near (Q2R until) ltac:(lra)) Cl) as Sn.
+    pose proof (energy_triangle M1 M2 A2 _ _ _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) Ra Rd Sn Sm) as T.
+    eapply Rle_trans; [|eapply Rle_trans; [exact T|]]; [right; f_equal; ring|right; ring].
+  - exact (small_spec x v1 x2 v2 _ _ _ _ Kn E).
+Qed.
+
+Lemma about_spec c r M m u : has M m -> 0 < m -> 0 <= Q2R r -> m * (u - Q2R c) ^ 2 <= 2 * Q2R r ^ 2 ->
+  has (about p c r M) u.
+Proof.
+  intros HM Hm Hr Hu. apply (root_bound m) in Hu; auto.
+  replace (2 * Q2R r ^ 2 / m) with (Q2R r ^ 2 * (2 / m)) in Hu by (field; lra).
+  rewrite sqrt_mult_alt, sqrt_pow2 in Hu by positive. apply Rabs_inv in Hu. assert (E : Q2R 2 = 2) by lra.
+  assert (D : has (I.mul p (rat p r) (I.sqrt p (I.div p (rat p 2) M))) (Q2R r * sqrt (2 / m)))
+    by (rewrite <- E; has).
+  apply (J.join_correct _ _ (Q2R c - Q2R r * sqrt (2 / m)) (Q2R c + Q2R r * sqrt (2 / m))); [has|has|lra].
+Qed.
+Lemma closest_spec st b t : t = Q2R (start_at b) -> 0 <= Q2R (radius b) -> is_close x v1 v2 t (Some b) ->
+  (forall B' f', known B' f' st t) -> forall B' f', known B' f' (closest p K st b) t.
+Proof.
+  intros Et Hr (_ & Cl) Kn B' f'. rewrite <- Et in Cl. destruct has_tuned.
+  destruct (Kn B' f') as (Kt & _ & _ & K2 & _ & Kh).
+  unfold closest, knows; cbn [at_t at_x at_v1 at_x2 at_v2 how].
+  destruct (energy_parts M1 M2 A2 Hm1 Hm2 Ha2 _ _ _ _ Cl) as (Ex & E1 & E2). split; [auto|].
+  split; [apply about_spec with A2; auto|]. split; [apply about_spec with M1; auto|]. split; [auto|].
+  split; [apply about_spec with M2; auto|auto].
+Qed.
+End Close.
+End Spell.
 
 Section Whole.
 Context (x v1 x2 v2 : R -> R) (Cx2 : cont x2) (Dx2 : forall t, 0 <= t -> rderiv x2 t (v2 t)).
@@ -1186,12 +1213,11 @@ Proof.
 Qed.
 
 (** what a spell is *)
-Lemma fair_now now later y ys : fair_spells now later (y :: ys) = true -> 0 < Q2R (friction now) /\
-  0 <= Q2R (since now) /\ answers M1 A1 A2 (in_R (fst y)) (in_R (push now)) /\
-  answers (M1 + M2) A1 A2 (in_R (snd y)) (in_R (push now)).
+Lemma fair_now now later y ys : fair_spells now later (y :: ys) = true -> answered now y.
 Proof.
   cbn [fair_spells]. rewrite !andb_true_iff. intros ((F & S) & ((Y1 & YM) & _)). apply posQ_spec in F.
-  apply nonnegQ_spec in S. apply is_answer_spec in Y1. apply is_answer_spec in YM. rewrite <- both_spec. auto.
+  apply nonnegQ_spec in S. apply is_answer_spec in Y1. apply is_answer_spec in YM. rewrite both_spec in YM.
+  repeat split; auto.
 Qed.
 (** along what it runs, and beside what *)
 Lemma follows_less B f lo hi hi' y w1 w2 : hi' <= hi -> follows M1 M2 A1 A2 B f lo hi y w1 w2 ->
@@ -1205,143 +1231,78 @@ Proof.
     Oz & C & D & E). exists z, u1, z2, u2. repeat (split; [auto|]). intros t Hu. apply E. lra.
 Qed.
 Lemma runs_now now later : runs M1 M2 A1 A2 x v1 v2 now later ->
-  forall hi, match until_next later with Some q => hi <= Q2R q | None => True end ->
-  follows M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2.
+  forall hi, upto_end (until_next later) hi ->
+    follows M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2.
 Proof.
   destruct later as [|next later]; cbn [runs until_next]; intros (_ & _ & R); [auto|].
   intros hi Hh. exact (follows_less _ _ _ _ _ _ _ _ Hh (proj1 (proj2 R))).
 Qed.
 
-(** the motion is close to another one *)
-Definition is_close lo a := match a with None => True | Some a => let s := Q2R (start_at a) in
-  lo <= s /\ energy M1 M2 A2 (x s - Q2R (start_x a)) (v1 s - Q2R (start_v1 a)) (v2 s - Q2R (start_v2 a)) <= Q2R (radius a) ^ 2
-  end.
-Section Close.
-Variables (now : spell) (y : steady Q * steady Q) (p : I.precision).
-Let B := Q2R (friction now).
-Let f := in_R (push now).
-Let lo := Q2R (since now).
-Hypotheses (Hb : 0 < B) (Hs : 0 <= lo).
-Hypotheses (Hy1 : answers M1 A1 A2 (in_R (fst y)) f) (HyM : answers (M1 + M2) A1 A2 (in_R (snd y)) f).
-Let K := tuned p sc now y.
-
-Lemma renewed_sound st m until least a steps b : follows M1 M2 A1 A2 B f lo (Q2R until) x v1 v2 -> lo <= Q2R until ->
-  is_close lo a -> known B f st (Q2R until) -> renewed p q depth K st m until least a steps b = true ->
-  Q2R (start_at b) = Q2R until /\ 0 <= Q2R (radius b) /\ is_close lo (Some b).
-Proof.
-  intros (_ & Beside) Hl Cl Kn E. unfold renewed in E. rewrite !andb_true_iff in E. destruct E as ((Eb & Rb) & E).
-  apply Qeq_bool_iff, Qeq_eqR in Eb. apply nonnegQ_spec in Rb. split; [auto|]. split; [auto|]. unfold is_close.
-  rewrite Eb. split; [auto|]. destruct a as [a|].
-  - rewrite !andb_true_iff in E. destruct E as (((Ra & Rd) & Hu) & E). apply posQ_spec in Ra. apply posQ_spec in Rd.
-    apply Qle_bool_iff, Qle_Rle in Hu. destruct Cl as (Ha & Cl). set (s := Q2R (start_at a)) in *.
-    destruct (Beside s (Q2R (start_x a)) (Q2R (start_v1 a)) (Q2R (start_v2 a)) ltac:(lra))
-      as (z & u1 & z2 & u2 & (Z0 & U1 & Z2 & U2) & Ob & C2 & D2 & Near).
-    destruct (passes _ _ _ _ _ _ _) as [st1|] eqn:E1; [|discriminate].
-    destruct (rest _ _ _ _ _ _ _ _ _) as [(st2, w)|] eqn:E2; [|discriminate].
-    assert (H : forall hi, hi <= Q2R until -> obeys M1 M2 A1 A2 B f s hi z u1 u2).
-    { intros hi Hh t0 T X V1 V2 g Ht HT Hd. apply Ob; auto. lra. }
-    assert (K0 : knows z u1 z2 u2 B f (starting p a) s).
-    { unfold knows, starting; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite Z0, U1, Z2, U2.
-      repeat (split; [try apply has_rat; try apply J.zero_correct|]). destruct (Qeq_bool _ _) eqn:Q; auto.
-      apply Qeq_bool_iff, Qeq_eqR in Q. auto. }
-    destruct (passes_sound z u1 z2 u2 C2 D2 now y s (Some until) Hb ltac:(lra) Hy1 HyM H p steps _ s st1 K0 (Rle_refl s) E1)
-      as (t1 & Ht1 & K1).
-    destruct (rest_sound z u1 z2 u2 C2 D2 now y s (Some until) Hb ltac:(lra) Hy1 HyM H p _ t1 K1 Ht1 _ _ _ _ _ E2)
-      as (Ht2 & _ & _ & K2 & _). pose proof (small_spec z u1 z2 u2 now y p _ _ _ _ (K2 B f) E) as Sm.
-    rewrite Q2R_minus in Sm, Rd. pose proof (Rle_trans _ _ _ (Near (Q2R until) ltac:(lra)) Cl) as Sn.
-    pose proof (energy_triangle M1 M2 A2 _ _ _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) Ra Rd Sn Sm) as T.
-    eapply Rle_trans; [|eapply Rle_trans; [exact T|]]; [right; f_equal; ring|right; ring].
-  - exact (small_spec x v1 x2 v2 now y p _ _ _ _ Kn E).
-Qed.
-
-Lemma about_spec c r M m u : has M m -> 0 < m -> 0 <= Q2R r -> Rabs (u - Q2R c) <= Q2R r * sqrt (2 / m) ->
-  has (about p c r M) u.
-Proof.
-  intros HM Hm Hr Hu. apply Rabs_inv in Hu. assert (E : Q2R 2 = 2) by lra.
-  assert (D : has (I.mul p (rat p r) (I.sqrt p (I.div p (rat p 2) M))) (Q2R r * sqrt (2 / m))) by (rewrite <- E; has).
-  apply (J.join_correct _ _ (Q2R c - Q2R r * sqrt (2 / m)) (Q2R c + Q2R r * sqrt (2 / m))); [has|has|lra].
-Qed.
-Lemma closest_spec st b t : t = Q2R (start_at b) -> 0 <= Q2R (radius b) -> is_close lo (Some b) ->
-  (forall B' f', known B' f' st t) -> forall B' f', known B' f' (closest p K st b) t.
-Proof.
-  intros Et Hr (_ & Cl) Kn B' f'. rewrite <- Et in Cl. pose proof (has_tuned now y p) as T. destruct T.
-  destruct (Kn B' f') as (Kt & _ & _ & K2 & _ & Kh). unfold closest, knows; cbn [at_t at_x at_v1 at_x2 at_v2 how].
-  unfold energy in Cl. set (c := x t - Q2R (start_x b)) in *. set (d := v1 t - Q2R (start_v1 b)) in *.
-  set (e := v2 t - Q2R (start_v2 b)) in *.
-  assert (0 <= A2 * c ^ 2 / 2 /\ 0 <= M1 * d ^ 2 / 2 /\ 0 <= M2 * e ^ 2 / 2) by (repeat split; nra).
-  split; [auto|]. split; [|split; [|split; [auto|split; [|auto]]]].
-  - apply about_spec with A2; auto. apply (energy_part A2 _ _ _ Ha2 (Rle_refl _)); [fold c; lra|auto].
-  - apply about_spec with M1; auto. apply (energy_part M1 _ _ _ Hm1 (Rle_refl _)); [fold d; lra|auto].
-  - apply about_spec with M2; auto. apply (energy_part M2 _ _ _ Hm2 (Rle_refl _)); [fold e; lra|auto].
-Qed.
-End Close.
-
 (** a stick for ever *)
-Lemma lasts_sound now later y : 0 < Q2R (friction now) -> 0 <= Q2R (since now) ->
-  answers M1 A1 A2 (in_R (fst y)) (in_R (push now)) -> answers (M1 + M2) A1 A2 (in_R (snd y)) (in_R (push now)) ->
-  (forall hi, match until_next later with Some q => hi <= Q2R q | None => True end ->
+Lemma lasts_sound now later y st t e hints : answered now y -> (forall hi, upto_end (until_next later) hi ->
     obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2) ->
-  forall st t e hints, Q2R (since now) <= t -> known (Q2R (friction now)) (in_R (push now)) st t ->
+  Q2R (since now) <= t -> known (Q2R (friction now)) (in_R (push now)) st t ->
   lasts now later y st e hints = true -> for_ever e = true -> forall u, t < u -> v1 u = v2 u.
 Proof.
-  intros Hb Hs Y1 YM Ob st t e hints Ht Kn. unfold lasts. destruct hints as [|[| | |bits until least] [|]];
-    [intros E Ev; rewrite Ev in E; discriminate| | | | | | |destruct later; [|discriminate]|]; try discriminate.
-  rewrite andb_true_iff. intros (Co & R) _ u Hu.
+  intros An Ob Ht Kn. pose proof (proj1 (proj2 An)) as Hs. unfold lasts.
+  destruct hints as [|[| | |bits until least] [|]]; [intros E Ev; rewrite Ev in E; discriminate| | | | | | |
+    destruct later; [|discriminate]|]; try discriminate. rewrite andb_true_iff. intros (Co & R) _ u Hu.
   destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
-  destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ None Hb Hs Y1 YM Ob (bits_of bits) st t Kn Ht _ _ _ _ _ E)
+  destruct (rest_sound now y _ An x v1 x2 v2 Cx2 Dx2 _ None Hs Ob st t Kn Ht _ _ _ _ _ E)
     as (Ht' & _ & Q & Kn' & _). destruct (Rle_dec u (Q2R until)); [apply Q; lra|].
-  apply (captive_spec x v1 x2 v2 now y _ None Hb YM Ob (bits_of bits) st' (Q2R until)); auto; lra.
+  apply (captive_spec now y (bits_of bits) An x v1 x2 v2 _ None Ob st' (Q2R until)); auto; lra.
 Qed.
 
 (** all events *)
 Lemma goes_sound e hints : forall now later ys st a events t, fair_spells now later ys = true ->
   runs M1 M2 A1 A2 x v1 v2 now later -> Q2R (since now) <= t -> known (Q2R (friction now)) (in_R (push now)) st t ->
-  is_close (Q2R (since now)) a -> goes now later ys st a events e hints = true -> unfolds x v1 x2 v2 t events e.
+  is_close x v1 v2 (Q2R (since now)) a -> goes now later ys st a events e hints = true ->
+    unfolds x v1 x2 v2 t events e.
 Proof.
   induction hints as [|hint hints IH]; intros now later ys st a events t Fa Ru Ht Kn Cl; [destruct ys; discriminate|].
   destruct ys as [|y ys]; [destruct hint; try discriminate; destruct hints; discriminate|].
-  destruct (fair_now _ _ _ _ Fa) as (Hb & Hs & Y1 & YM). pose proof (runs_now _ _ Ru) as Fo.
-  pose proof (fun hi Hh => proj1 (Fo hi Hh)) as Ob.
+  pose proof (fair_now _ _ _ _ Fa) as An. pose proof (proj1 (proj2 An)) as Hs.
+  pose proof (runs_now _ _ Ru) as Fo. pose proof (fun hi Hh => proj1 (Fo hi Hh)) as Ob.
   destruct hint as [bits least most k'|bits until least which|bits least|]; cbn [goes]; [| | |discriminate].
   - destruct events as [|ev events]; [discriminate|].
     destruct (step _ _ _ _ _ _ _ _ _ _) as [st'|] eqn:E; [|discriminate].
     destruct (agrees _ _ _) eqn:Ea; [|discriminate]. intros G.
-    destruct (step_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (t' & Ht' & Ev & Q &
-      Kn'). apply (agrees_spec _ _ _ _ _ _ _ _ _ Kn' Ea Ht' Q). apply (IH now later (y :: ys) st' a); auto. lra.
+    destruct (step_sound now y _ An x v1 x2 v2 Cx2 Dx2 _ _ Hs Ob st t Kn Ht _ _ _ _ _ E)
+      as (t' & Ht' & Ev & Q & Kn'). apply (agrees_spec _ _ _ _ _ _ _ _ _ Kn' Ea Ht' Q).
+    apply (IH now later (y :: ys) st' a); auto. lra.
   - destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
-    destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Fin & Q & Kn' &
-      _). set (on := fun st a events => match later with
+    destruct (rest_sound now y _ An x v1 x2 v2 Cx2 Dx2 _ _ Hs Ob st t Kn Ht _ _ _ _ _ E)
+      as (Ht' & Fin & Q & Kn' & _). set (on := fun st a events => match later with
       | next :: later' => if Qeq_bool until (since next) then goes next later' ys st a events e hints
           else goes now later (y :: ys) st a events e hints
       | [] => goes now later (y :: ys) st a events e hints end).
     assert (Go : forall st a events, on st a events = true -> (forall B' f', known B' f' st (Q2R until)) ->
-      (a = None \/ exists b, a = Some b /\ Q2R (start_at b) = Q2R until /\ is_close (Q2R (since now)) a) ->
-      unfolds x v1 x2 v2 (Q2R until) events e).
-    { intros st1 a1 evs G Kn1 Cl1. unfold on in G.
+      is_close x v1 v2 (Q2R until) a -> unfolds x v1 x2 v2 (Q2R until) events e).
+    { intros st1 a1 evs G Kn1 Cl1. assert (Cl' : forall lo, lo <= Q2R until -> is_close x v1 v2 lo a1).
+      { intros lo Hlo. destruct a1; simpl in *; auto. split; [lra|apply Cl1]. }
       assert (Same : goes now later (y :: ys) st1 a1 evs e hints = true -> unfolds x v1 x2 v2 (Q2R until) evs e).
-      { intros G'. apply (IH now later (y :: ys) st1 a1); auto; [lra|].
-        destruct Cl1 as [->|(b & -> & _ & Cl1)]; simpl; auto. }
-      destruct later as [|next later]; auto. destruct (Qeq_bool until (since next)) eqn:Eq; auto.
-      apply Qeq_bool_iff, Qeq_eqR in Eq. cbn [fair_spells] in Fa. rewrite !andb_true_iff in Fa.
-      apply (IH next later ys st1 a1); auto; [apply Fa|apply Ru|lra|].
-      destruct Cl1 as [->|(b & -> & Eb & _ & Cl1)]; simpl; auto. split; [lra|auto]. }
+      { intros G'. apply (IH now later (y :: ys) st1 a1); auto; [lra|apply Cl'; lra]. }
+      unfold on in G. destruct later as [|next later]; auto.
+      destruct (Qeq_bool until (since next)) eqn:Eq; auto. apply Qeq_bool_iff, Qeq_eqR in Eq.
+      cbn [fair_spells] in Fa. rewrite !andb_true_iff in Fa.
+      apply (IH next later ys st1 a1); auto; [apply Fa|apply Ru|lra|apply Cl'; lra]. }
     destruct which as [| |steps b].
-    + intros G. apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto. apply (Go st' None); auto.
+    + intros G. apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto. apply (Go st' None); simpl; auto.
     + destruct events as [|ev events]; [discriminate|]. destruct (agrees _ _ _) eqn:Ea; [|discriminate]. intros G.
       apply (agrees_spec (Q2R (friction now)) (in_R (push now)) _ st' _ _ _ _ (Q2R until)) with (2 := Ea); auto.
       * intros u Hu. apply Q. lra.
-      * apply (Go st' None); auto.
+      * apply (Go st' None); simpl; auto.
     + destruct (renewed _ _ _ _ _ _ _ _ _ _ _) eqn:En; [|discriminate]. intros G.
-      destruct (renewed_sound now y _ Hb Hs Y1 YM st' _ until least a steps b (Fo _ Fin) ltac:(lra) Cl (Kn' _ _) En)
-        as (Eb & Rb & Cl').
-      apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto. apply (Go _ (Some b) events G); [|right; exists b; auto].
-      apply (closest_spec now y _); auto.
+      destruct (renewed_sound now y _ An x v1 x2 v2 st' _ until least a steps b (Fo _ Fin) Cl (Kn' _ _) En)
+        as (Eb & Rb & Cl'). apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto.
+      apply (Go _ (Some b) events G); auto. apply closest_spec; auto.
   - destruct events as [|]; [|discriminate]. destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
-    destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E)
-      as (Ht' & _ & Q & Kn' & Kw). unfold ends. rewrite !andb_true_iff. intros (((((B0 & B1) & B2) & B3) & B4) & Ev).
+    destruct (rest_sound now y _ An x v1 x2 v2 Cx2 Dx2 _ _ Hs Ob st t Kn Ht _ _ _ _ _ E)
+      as (Ht' & _ & Q & Kn' & Kw). unfold ends. rewrite !andb_true_iff.
+    intros (((((B0 & B1) & B2) & B3) & B4) & Ev).
     destruct (Kn' 0 (in_R (push now))) as (_ & Kx & K1 & Kx2 & K2 & _).
     repeat (split; [solve [auto; eapply inside_spec; eauto]|]).
-    apply (lasts_sound now later y Hb Hs Y1 YM Ob st' (Q2R (last e)) e hints); auto. lra.
+    apply (lasts_sound now later y st' (Q2R (last e)) e hints); auto. lra.
 Qed.
 End Whole.
 
