@@ -1,8 +1,7 @@
 (** Dry friction in any number of directions: y' in A y + g - d phi (y), where -A is monotone and phi any function, in a
     space whose inner product gives the energy, |y|^2 / 2. Everything enters by its impulse, so that jumps are allowed;
-      the
-    inner product need not be definite. Two motions never part, and defects add up; friction that brakes has a finite
-      path. *)
+    the inner product need not be definite. Two motions never part, and defects add up; friction that brakes has a
+    finite path. *)
 From InertialPair Require Import Dini PaidRates Forced.
 
 (** *** The space *)
@@ -21,14 +20,13 @@ Context (ip : Y -> Y -> R) (In : inner ip).
 (** the norm *)
 Definition norm y := sqrt (ip y y).
 (** f(h) = o(h) *)
-Definition vlittle (f : R -> Y) := forall eps, 0 < eps -> exists d, 0 < d /\ forall h, 0 < h < d -> norm (f h) <= eps *
-  h.
+Definition vlittle (f : R -> Y) := forall eps, 0 < eps ->
+  exists d, 0 < d /\ forall h, 0 < h < d -> norm (f h) <= eps * h.
 (** l is the right derivative *)
 Definition vderiv (f : R -> Y) t l := vlittle (fun h => minus (minus (f (t + h)) (f t)) (scal h l)).
 (** continuity *)
-Definition vcont (f : R -> Y) := forall t, 0 <= t -> forall e, 0 < e -> exists d, 0 < d /\ forall u, 0 <= u -> Rabs (u -
-  t) < d ->
-  norm (minus (f u) (f t)) < e.
+Definition vcont (f : R -> Y) := forall t, 0 <= t -> forall e, 0 < e -> exists d, 0 < d /\
+  forall u, 0 <= u -> Rabs (u - t) < d -> norm (minus (f u) (f t)) < e.
 
 (** P is at the time t the impulse of a subgradient of phi at y *)
 Definition drags (phi : Y -> R) (P : R -> Y) y t := forall z e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
@@ -110,10 +108,9 @@ Proof.
   apply vlittle_norm in D. assert (B : big (fun h => norm (dy h))).
   { eapply big_le; [|exact (big_plus _ _ (big_plus _ _ (little_big _ D) (big_scal (norm l) _ big_id)) LP)]. intros h Hh.
     rewrite Rabs_pos_eq by apply norm_pos. eapply Rle_trans; [|apply Rle_abs]. fold (er h).
-    pose proof (norm_plus (er h) (scal h l)). pose proof (norm_scal h l ltac:(lra)).
     pose proof (norm_sum (dy h) (plus (er h) (scal h l)) (minus (P (t + h)) (P t)) 1 (-1) ltac:(lra) ltac:(lra)) as N.
-    cut (norm (dy h) <= norm (plus (er h) (scal h l)) + norm (minus (P (t + h)) (P t))); [lra|]. apply N. intros w.
-    rewrite Ey. lin. ring. }
+    eapply Rle_trans; [apply N; intros w; rewrite Ey; lin; ring|]. apply Rplus_le_compat_r.
+    eapply Rle_trans; [apply norm_plus|]. apply Rplus_le_compat_l. rewrite Rmult_comm. apply norm_scal. lra. }
   assert (E1 : little (fun h => ip (er h) (y t))).
   { eapply little_le; [|exact (little_scal (norm (y t)) _ D)]. intros h _. eapply Rle_trans; [apply cauchy_abs|].
     eapply Rle_trans; [|apply Rle_abs]. fold (er h). lra. }
