@@ -12,6 +12,7 @@ import numerics.trade.recorded as recorded_module
 import paper_checks.__main__ as command_line
 import paper_checks.claims as claims_module
 import paper_checks.report.output.pictures as pictures_module
+import paper_checks.running.planting as planting_module
 from numerics.trade.recorded import recorded
 from paper_checks.__main__ import main
 from paper_checks.claims import CLAIMS
@@ -141,3 +142,11 @@ def test_a_closed_pipe_is_no_error_and_an_output_that_takes_nothing_is_told_in_o
     result = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
     assert (result.returncode, result.stderr) == (code, errors)
     assert code or result.stdout.startswith("claim")
+
+
+@pytest.mark.parametrize("turned", [True, False])
+def test_planting_fails_where_a_changed_formula_still_passes(command, monkeypatch, turned):
+    one = planting_module.Planted("critical-energy", "level", "sign", "E", turned)
+    monkeypatch.setattr(planting_module, "planted", lambda _: [one])
+    code, out, _ = command("plant critical-energy")
+    assert (code, "still passes with a changed sign" in out) == (0 if turned else 1, not turned)
