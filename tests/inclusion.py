@@ -141,14 +141,17 @@ class Inclusion:
             most = most * self.most_at_rest
             holds = abs(w) <= small * speed and (self.scene.law is not Law.FILIPPOV or abs(F) <= most + slack)
             return "" if holds else "no stick", most - abs(F)
-        if leaves and not self.breaks(sign * (dv1 - dv2), most):
+        if leaves and not self.breaks(sign * (dv1 - dv2), most, slack):
             return "a slip that begins too early", arb(0)
         return "" if sign * w >= -small * speed and abs(F - sign * most) <= slack else "no slip", sign * w
 
-    def breaks(self, leaving: arb, most: arb) -> bool:
-        """Return whether a stick would need more than friction at rest: as much more as v1 - v2 grows by in slip."""
+    def breaks(self, leaving: arb, most: arb, slack: arb) -> bool:
+        """Return whether a stick would need more than friction at rest: as much more as v1 - v2 grows by in slip.
+
+        To within `slack`, N: without static friction it grows by nothing at first.
+        """
         moved = self.m1 if self.m2 is None else self.m1 * self.m2 / (self.m1 + self.m2)
-        too_little = leaving * moved < most * (self.most_at_rest - 1) * (1 - arb("1e-9"))
+        too_little = leaving * moved < most * (self.most_at_rest - 1) * (1 - arb("1e-9")) - slack
         return self.scene.law is Law.FILIPPOV and not too_little
 
 

@@ -10,7 +10,7 @@ Lemma last_nonneg w r t : cont w -> 0 <= r <= t -> 0 <= w r -> w t < 0 ->
   exists p, r <= p < t /\ 0 <= w p /\ forall u, p < u <= t -> w u < 0.
 Proof.
   intros C Hr Wr Wt. assert (Back : cont (fun u => w (Rmax 0 (t - u)))).
-  { apply cont_of_continuous. intros u. apply (continuous_comp (fun u => t - u) (fun u => w (Rmax 0 u))).
+  { apply cont_of_continuous. intros u _. apply (continuous_comp (fun u => t - u) (fun u => w (Rmax 0 u))).
     - apply @ex_derive_continuous. auto_derive. auto.
     - apply cont_iff, C. }
   destruct (first_zero _ 0 (t - r) Back) as (c & Hc & Z & Neg);
@@ -179,7 +179,7 @@ Proof.
   assert (PB : forall u, 0 <= u -> - CP <= P u <= CP).
   { intros u Hu. destruct (Bd u Hu) as (_ & B1 & B2), (Bd' u Hu) as (_ & B1' & B2'). unfold P, p, q, CP.
     by_sizes. }
-  apply both_signs. intros k Hk. destruct (Rle_dec (k * y t) e) as [|N]; auto. exfalso.
+  apply abs_by. intros k Hk. destruct (Rle_dec (k * y t) e) as [|N]; auto. exfalso.
   assert (Yu : forall u, t <= u <= t + L -> e - n * L <= k * y u).
   { intros u Hu. pose proof (lip_between y p n t u Cy ltac:(lra) ltac:(intros r Hr; split;
       [apply Ry; lra|apply Rabs_inv, Small; lra])) as S.

@@ -108,7 +108,7 @@ Proof.
       pose proof (q_slip m1 m2 a1 a2 b _ U x v1 v2 s H t Ht (- k)) as S.
       eapply rderiv_dini; [|apply rderiv_scal, (forced_v2_rate _ _ _ _ _ Hm2 U x v1 v2 s t (- k) H Ht), S];
         destruct Hk; subst k; lra. }
-  exists V. intros t Ht. destruct (Bv t Ht). repeat split; try (unfold V; lra). apply both_signs.
+  exists V. intros t Ht. destruct (Bv t Ht). repeat split; try (unfold V; lra). apply abs_by.
   intros k Hk. apply Up; auto.
 Qed.
 

@@ -44,12 +44,15 @@ Proof.
   rewrite <- (sqrt_Rsqr_abs v1), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt. unfold energy, Rsqr. nra.
 Qed.
 (** and what an energy bounds *)
-Lemma energy_within x v1 v2 E : energy m1 m2 a2 x v1 v2 <= E ->
-  Rabs x <= sqrt (2 * E / a2) /\ Rabs v1 <= sqrt (2 * E / m1) /\ Rabs v2 <= sqrt (2 * E / m2).
+Lemma energy_parts x v1 v2 E : energy m1 m2 a2 x v1 v2 <= E -> a2 * x ^ 2 <= 2 * E /\ m1 * v1 ^ 2 <= 2 * E /\
+  m2 * v2 ^ 2 <= 2 * E.
 Proof.
   unfold energy. intros Q. assert (0 <= a2 * x ^ 2) by positive. assert (0 <= m1 * v1 ^ 2) by positive.
-  assert (0 <= m2 * v2 ^ 2) by positive. repeat split; apply root_bound; lra.
+  assert (0 <= m2 * v2 ^ 2) by positive. lra.
 Qed.
+Lemma energy_within x v1 v2 E : energy m1 m2 a2 x v1 v2 <= E ->
+  Rabs x <= sqrt (2 * E / a2) /\ Rabs v1 <= sqrt (2 * E / m1) /\ Rabs v2 <= sqrt (2 * E / m2).
+Proof. intros Q. apply energy_parts in Q. repeat split; apply root_bound; tauto. Qed.
 (** where it is small, all is *)
 Lemma energy_close e : 0 < e -> exists E, 0 < E /\ forall x v1 v2, energy m1 m2 a2 x v1 v2 <= E ->
   Rabs x <= e /\ Rabs v1 <= e /\ Rabs v2 <= e.
@@ -264,7 +267,7 @@ Qed.
 Theorem reach U x v1 v2 s x2 T : forced U x v1 v2 s -> cont x2 -> (forall t, 0 <= t -> rderiv x2 t (v2 t)) -> 0 <= T ->
   Rabs (x2 T - x2 0 - (v2 0 + v2 T) * T / 2) <= b / m2 / 4 * (T ^ 2 - ((v2 T - v2 0) * m2 / b) ^ 2).
 Proof.
-  intros H C R HT. apply both_signs. intros k Hk.
+  intros H C R HT. apply abs_by. intros k Hk.
   pose proof (travel (fun u => k * x2 u) (fun u => k * v2 u) (b / m2) T ltac:(positive) HT ltac:(continuous)
     ltac:(intros; rates)
     ltac:(intros p q Hp; cbv beta; rewrite <- Rmult_minus_distr_l, Rabs_sign by auto;

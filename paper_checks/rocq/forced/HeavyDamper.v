@@ -94,13 +94,13 @@ Proof.
   intros Ht. pose proof (load_bound t Ht) as P. destruct (BX t ltac:(lra)) as (X1 & X2).
   destruct (BV t ltac:(lra)). assert (C0 : C e / a1 <= C e).
   { assert (0 <= C e) by (unfold C; positive). undivide a1. nra. }
-  apply both_signs. intros k Hk. undivide a1. unfold p in P. destruct Hk; subst k; nra.
+  apply abs_by. intros k Hk. undivide a1. unfold p in P. destruct Hk; subst k; nra.
 Qed.
 
 (** in a slip that lasts p tends to minus friction *)
 Lemma creeping k t : k = 1 \/ k = -1 -> 0 <= t - e -> (forall u, t - e <= u < t -> 0 < k * w u) -> Rabs (p t + b * k) <= C e / a1.
 Proof.
-  intros Hk Ht Sl. apply both_signs. intros j Hj. cut (j * p t <= b * (- j * k) + C e / a1); [lra|].
+  intros Hk Ht Sl. apply abs_by. intros j Hj. cut (j * p t <= b * (- j * k) + C e / a1); [lra|].
   apply (load_after e j (- j * k) (t - e) t A1 He Hj); [|lra|lra|].
   - destruct Hj, Hk; subst; lra.
   - intros u Hu. eapply rderiv_dini; [apply Rle_refl|]. apply rderiv_scal.

@@ -31,7 +31,7 @@ Ltac motion ::= first [rubs_fact | forced_fact].
 Lemma cap_lip f c r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> forall e, 0 < e -> exists d, 0 < d /\
   forall h, 0 < h < d -> Rabs (f (u + h) - f u) <= (c + e) * h) -> Rabs (f t - f r) <= c * (t - r).
 Proof.
-  intros C Hr Ca. apply both_signs. intros k Hk. rewrite Rmult_minus_distr_l.
+  intros C Hr Ca. apply abs_by. intros k Hk. rewrite Rmult_minus_distr_l.
   apply (dini_slope (fun t => k * f t)); [continuous|auto|]. intros u Hu e He.
   destruct (Ca u Hu e He) as (d & Hd & K). exists d; split; auto. intros h Hh. eapply Rle_trans; [|apply (K h Hh)].
   rewrite <- Rmult_minus_distr_l, <- (Rabs_sign k) by auto. apply Rle_abs.
@@ -383,7 +383,7 @@ Proof.
       * intros p q Hp. rewrite Rminus_0_r, Rabs_R0. lra.
   - destruct (paid_converges E lo (fun t _ => energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _) Em Hlo z)
       as (zl & _ & Lim); [|exists zl; exact Lim].
-    intros r t Hr. rewrite <- (Rabs_pos_eq lo) by lra. rewrite <- Rabs_mult. apply both_signs. intros k Hk.
+    intros r t Hr. rewrite <- (Rabs_pos_eq lo) by lra. rewrite <- Rabs_mult. apply abs_by. intros k Hk.
     pose proof (Paid k r t Hk Hr). lra.
 Qed.
 

@@ -4,9 +4,6 @@ From InertialPair Require Export Dini Pair Pursuit.
 (** the size of a number with a sign before it *)
 Lemma Rabs_sign k z : k = 1 \/ k = -1 -> Rabs (k * z) = Rabs z.
 Proof. intros [-> | ->]; rewrite Rabs_mult; [rewrite Rabs_R1|rewrite Rabs_m1]; ring. Qed.
-(** a bound for both signs *)
-Lemma both_signs z c : (forall k, k = 1 \/ k = -1 -> k * z <= c) -> Rabs z <= c.
-Proof. intros B. pose proof (B 1 ltac:(auto)). pose proof (B (-1) ltac:(auto)). apply Rabs_le. lra. Qed.
 
 (** linear arithmetic with bounds of sizes *)
 Ltac by_sizes := repeat match goal with H : Rabs _ <= _ |- _ => apply Rabs_inv in H

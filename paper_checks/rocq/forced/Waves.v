@@ -441,49 +441,6 @@ Proof.
   - rewrite <- Ev. symmetry. apply stuck_start.
 Qed.
 
-(** *** Phases with their ends *)
-(** The slip to the next contact: the guard is positive until lo and not positive at hi. *)
-Theorem slip_until k lo hi : 0 < lo <= hi -> t0 + hi <= final -> 0 <= val (guard k) 0 ->
-  (forall u, 0 < u <= lo -> 0 < val (guard k) u) -> val (guard k) hi <= 0 -> exists u, lo < u <= hi /\
-  (forall r, 0 < r < u -> 0 < sign k * (v1 (t0 + r) - v2 (t0 + r))) /\ v1 (t0 + u) = v2 (t0 + u) /\
-  x (t0 + u) = val (slide k) u /\ v1 (t0 + u) = val (slope (slide k)) u /\
-  forall r, 0 <= r <= u -> v2 (t0 + r) = drive real K k (v2 t0) r.
-Proof.
-  intros Hl HF Z P N. destruct (wave_root _ lo hi Hl P N) as (u & Hu & E & Q).
-  assert (Nn : forall r, 0 <= r < u -> 0 <= val (guard k) r).
-  { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, Q; lra. }
-  assert (F := slip_phase k u ltac:(lra) ltac:(lra) Nn). exists u. split; [lra|].
-  assert (D : forall r, 0 <= r <= u -> sign k * (v1 (t0 + r) - v2 (t0 + r)) = val (guard k) r).
-  { intros r Hr. destruct (F r Hr) as (_ & -> & ->). unfold guard. rewrite val_guard. auto. }
-  split; [|split].
-  - intros r Hr. rewrite D by lra. apply Q; lra.
-  - pose proof (D u ltac:(lra)) as Du. destruct k; simpl in Du; lra.
-  - repeat (split; [apply F; lra|]). apply F; auto.
-Qed.
-
-(** The stick to the edge towards k: friction has something left on both sides until lo, on the other one until hi, and
-    nothing left on this one at hi. *)
-Theorem stick_until k lo hi : 0 < lo <= hi -> t0 + hi <= final -> v1 t0 = v2 t0 -> 0 <= val (grip k) 0 ->
-  (forall u, 0 < u <= lo -> 0 < val (grip k) u) -> (forall u, 0 <= u <= hi -> 0 <= val (grip (negb k)) u) ->
-  val (grip k) hi <= 0 -> exists u, lo < u <= hi /\ (forall r, 0 <= r <= u -> v1 (t0 + r) = v2 (t0 + r)) /\
-  a2 * x (t0 + u) + a1 * v1 (t0 + u) - sval real push (t0 + u) = - (sign k * (b * M / m2)) /\
-  x (t0 + u) = val stuck u /\ forall r, 0 <= r <= u -> v1 (t0 + r) = val (slope stuck) r.
-Proof.
-  intros Hl HF Ev Z P O N. destruct (wave_root _ lo hi Hl P N) as (u & Hu & E & Q).
-  assert (Nn : forall r, 0 <= r < u -> 0 <= val (grip k) r).
-  { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, Q; lra. }
-  assert (Both : forall r, 0 <= r < u -> 0 <= val (grip true) r /\ 0 <= val (grip false) r).
-  { intros r Hr. specialize (O r ltac:(lra)). destruct k; auto. }
-  assert (F := stick_phase u ltac:(lra) ltac:(lra) Ev Both). exists u. split; [lra|].
-  destruct (F u ltac:(lra)) as (Fx & F1 & _). split; [|split; [|split; [auto|]]].
-  - intros r Hr. destruct (F r Hr) as (_ & -> & ->). auto.
-  - rewrite Fx, F1. unfold grip in E. rewrite val_grip in E. fold stuck in E.
-    pose proof (stuck_law t0 (x t0) (v1 t0) u) as L. fold stuck in L. set (acc := val (slope (slope stuck)) u) in *.
-    replace (sign k * (b * M / m2)) with (M * (sign k * (b / m2))) by (field; lra).
-    replace (sign k * (b / m2)) with (sign k * (sign k * acc)) by (f_equal; lra). destruct k; simpl; lra.
-  - apply F; auto.
-Qed.
-
 (** A stick under a constant force, below the level that friction holds, is for ever. *)
 Theorem stick_for_ever T : 0 <= T -> t0 + T <= final -> v1 t0 = v2 t0 -> (forall t, sval real push t = sval real push t0) ->
   0 <= spare real K t0 (x t0) (v1 t0) -> v1 (t0 + T) = v2 (t0 + T).
