@@ -19,7 +19,6 @@ from numerics.arithmetic.ball import Ball
 from numerics.errors import NumericsError
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import as_ball
-from numerics.trajectory.export import word
 
 MAX_EVENTS = 250_000
 _SPARE_DIGITS = 30
@@ -28,8 +27,8 @@ _SPARE_DIGITS = 30
 class Run(NamedTuple):
     """What one run of anybody says of a scene, in its own numbers: modes, times of events (s), states in SI units."""
 
-    modes: Sequence[str]
-    """One more than there are events."""
+    modes: Sequence[Any]
+    """One more than there are events; a mode is equal to its word."""
     times: Any
     states: Any
     """At the start, at the events and at the horizon: x1, v1, x2, v2, each by axes on a surface."""
@@ -52,7 +51,7 @@ def looked_at(trajectory: Any) -> Run:
     times, states = trajectory.event_times, trajectory.y.T
     if len(times) + 2 != len(states):
         raise NumericsError(trajectory.message)
-    return Run([*map(word, trajectory.modes)], times, states)
+    return Run(trajectory.modes, times, states)
 
 
 def proved(scene: Any, digits: int = 0) -> Run:
