@@ -35,6 +35,8 @@ _FOLDERS = ("arithmetic", "linear")
 """Where compilable functions are; of others numba itself notices a change."""
 _STATES = 8
 """Of how many states of the sources compiled code is kept, beside those of the last day."""
+_COMPILED: dict[Any, Any] = {}
+"""What numba has made of functions in this process."""
 _ONE_AT_A_TIME = threading.RLock()
 """Threads may ask for the same entry first, and numba's cache folder is set for the process."""
 # numpy's error model divides by zero as IEEE 754 does: a number out of range must not end a whole batch.
@@ -77,15 +79,24 @@ def compiled(function: _Function) -> _Function:
 
     There numpy's scalars would warn of what the kernel itself looks for.
     """
+    found = _COMPILED.get(function)
+    if found is not None:
+        return found
     if not can_compile():
         return np.errstate(all="ignore")(function)
     with _ONE_AT_A_TIME:
         return _kept(function)
 
 
-@cache
 def _kept(function: Any) -> Any:
     """Return a function compiled by numba, which keeps it; what it calls is compiled, too, once for all callers."""
+    if function not in _COMPILED:
+        _COMPILED[function] = _made(function)
+    return _COMPILED[function]
+
+
+def _made(function: Any) -> Any:
+    """Return what numba makes of a function, and finds in its folder the next time."""
     import numba
 
     calling, before = _with_compiled(function), numba.config.CACHE_DIR  # what it calls has found its folder by then

@@ -16,7 +16,7 @@ from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange
-from numerics.linear.cells import Cells, cells_of
+from numerics.linear.cells import Cells
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.ledger import TINY, ledger
@@ -27,6 +27,7 @@ from numerics.linear.table import ORDERS, UNIT
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
+_HOWS = tuple(How)
 _MOST_ORDER = ORDERS - 1
 """Derivatives of a guard that may vanish at an exact start."""
 _STATE = slice(AT["x1"], AT["x1"] + 4)
@@ -49,21 +50,20 @@ def run_linear(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: 
 
 def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) -> Record:
     """Solve a scene in float64. Raises EventUndecided, OutOfRange."""
-    prepared, cells = prepare(scene), cells_of(scene)
-    how: int = How.DOUBT
-    if cells is None:
+    prepared, how = prepare(scene), int(How.DOUBT)
+    if prepared.cells is None:
         how, rows, end = _run(prepared, prepared.start, -1.0, max_events)
     if how == How.DOUBT:
         known = exact_knots(scene, prepared.pieces)
-        if cells or len(known) > 1 or known[-1].order > 0 or known[-1].quiet > known[-1].local:
-            how, rows, end = _from_exact(prepared, known, cells, max_events)
+        if prepared.cells or len(known) > 1 or known[-1].order > 0 or known[-1].quiet > known[-1].local:
+            how, rows, end = _from_exact(prepared, known, max_events)
     end[AT["how"]] = how
     _require_answer(how, prepared, end)
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
     if not compiled(finish)(rows, end, *prepared.units):
         raise OutOfRange.of("a position, a velocity or an energy on the way", "float64")
-    return Record(rows, end, How(how), int(end[AT["events"]]))
+    return Record(rows, end, _HOWS[how], int(end[AT["events"]]))
 
 
 def ledger_of(scene: Scene, record: Record) -> tuple[NDArray[np.float64], list[int]]:
@@ -100,14 +100,14 @@ def _run(
 
 
 def _from_exact(
-    prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | None, most: int
+    prepared: Prepared, known: Sequence[ExactKnot], most: int
 ) -> tuple[int, NDArray[np.float64], NDArray[np.float64]]:
     """Return the run from the last start that is known exactly, the exact ones before it."""
     events = [index for index, one in enumerate(known) if one.is_event]
     is_cut = len(events) > most
     if is_cut:
         known = known[: events[most - 1] + 1]
-    rows, last = _exact_rows(prepared, known, cells), known[-1]
+    rows, last = _exact_rows(prepared, known), known[-1]
     order = int(rows[-1, AT["order"]])
     if not is_cut and abs(order) > _MOST_ORDER and not last.quiet > last.local:
         return How.DOUBT, rows[:0], np.zeros(END_ROW)
@@ -126,9 +126,9 @@ def _from_exact(
     return how, np.concatenate([rows[:-1], found]), end
 
 
-def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | None) -> NDArray[np.float64]:
+def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.float64]:
     """Return the rows of starts that are known exactly, in the kernel's units; their states are rounded once."""
-    rows, units = np.zeros((len(known), ROW)), prepared.units
+    rows, units, cells = np.zeros((len(known), ROW)), prepared.units, prepared.cells
     times, speed = [prepared.pieces[one.piece].start + one.local for one in known], units.of(length=1, time=-1)
     for row, one, t, before in zip(rows, known, times, [times[0], *times], strict=False):
         cell, (floor, ceiling) = 0 if cells is None else _begun(cells, one), one.orders
@@ -152,7 +152,7 @@ def _begun(cells: Cells, knot: ExactKnot) -> int:
 
 def _require_answer(how: int, prepared: Prepared, end: NDArray[np.float64]) -> None:
     """Raise what says why a run could not go on."""
-    if how in {How.REACHED, How.STUCK, How.EVENT_LIMIT}:
+    if how <= How.EVENT_LIMIT:
         return
     if how == How.OUT_OF_RANGE:
         raise OutOfRange('a number of this scene left the range of float64 on the way; use arithmetic="ball"')

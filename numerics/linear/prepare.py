@@ -81,6 +81,7 @@ class Prepared(NamedTuple):
     start: NDArray[np.float64]
     units: KernelUnits
     pieces: Sequence[ExactPiece]
+    cells: Cells | None
     half_turns: float
     """How many of them the fastest rate makes."""
 
@@ -162,7 +163,7 @@ def prepare(scene: Scene) -> Prepared:
     start[AT["jump"]] = gap == 0
     half_turns = float(drive.length[:, 0].sum()) * REACH / float(tables.steps[:, :2].min()) / math.pi
     problem = Problem(norm, drive, tables, scene.law is Law.THREE_VALUED_SGN)
-    return Prepared(problem, start, units, pieces, half_turns)
+    return Prepared(problem, start, units, pieces, cells, half_turns)
 
 
 def _drive(

@@ -177,7 +177,8 @@ def _solve_surely(scene: Scene, limits: Limits) -> Trajectory:
     """
     best: Trajectory | None = None
     refused: NumericsError | None = None
-    tried, places = list[str](), [""]
+    tried: list[str] = []
+    places = [""]
     for arithmetic in _ladder(limits):
         if best is None and arithmetic.digits > _LADDER[-1].digits and places[-1] in places[-2:-1]:
             break  # what more digits have not led beyond is a tie; else they lead further

@@ -101,7 +101,7 @@ class Answer(Helpful, Generic[M]):
     @cached_property
     def modes(self) -> tuple[M, ...]:
         """Return the itinerary: the mode of every segment."""
-        return self._all_modes[: len(self.event_times) + self.reached]
+        return self._all_modes if self.reached else self._all_modes[:-1]
 
     @property
     def final_mode(self) -> M:

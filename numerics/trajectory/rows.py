@@ -87,7 +87,7 @@ class Rows(Answer[Mode]):
     def row_times(self) -> Array:
         """Return when each row's segment begins, s."""
         local = self.row_column("local")[:-1]
-        if not self.row_pieces.any():
+        if len(self.pieces) == 1:
             return local
         if self.bounded:
             return np.asarray(starts_of(self.scene)[0, self.row_pieces] + local)
@@ -131,9 +131,30 @@ class Rows(Answer[Mode]):
         return after if self.reached else after[:-1]
 
     @cached_property
+    def _starts(self) -> Counts:
+        """Return the rows at which segments start: the first one, and those at which the mode has changed."""
+        begins = self.row_column("event")[:-1].astype(bool)
+        begins[0] = True
+        return np.flatnonzero(begins)
+
+    @property
     def event_rows(self) -> Counts:
         """Return the rows at which the mode has changed: the events."""
-        return np.flatnonzero(self.row_column("event")[:-1])
+        return self._starts[1:]
+
+    @cached_property
+    def _own_rows(self) -> Counts:
+        """The rows of start and events, and -1 for the end: its segment, or what is known there."""
+        return np.concatenate([self._starts, [-1]]) if self.reached else self._starts
+
+    @cached_property
+    def _own_moments(self) -> tuple[Array, Array]:
+        """The times of start, events and end, and the states there; of a run that was cut off no end."""
+        rows = self._own_rows
+        times = self.row_times[rows]
+        if self.reached:
+            times[-1] = self.end_time
+        return times, self._states[:, rows]
 
     @property
     def event_times(self) -> Array:  # type: ignore[override]

@@ -136,11 +136,6 @@ class Trajectory(Rows):
         return tuple(name for name, right in zip(JUDGED, self._judged.right, strict=False) if right <= most)
 
     # ------------------------------------------------------------------ events and segments
-    @cached_property
-    def _starts(self) -> Array:
-        """Return the rows at which segments start."""
-        return np.append(0, self.event_rows)
-
     @property
     def signs(self) -> list[int]:
         """Return the sign of v1 - v2 in every segment, and in the motion after the last event."""
@@ -172,11 +167,6 @@ class Trajectory(Rows):
         return tuple(found)
 
     # ------------------------------------------------------------------ at t
-    @property
-    def _own_rows(self) -> Counts:
-        """The rows of start and events, and -1 for the end: its segment, or what is known there."""
-        return np.append(self._starts, -1) if self.reached else self._starts
-
     def _energies(self, t: Array, y: Array, rows: Counts | None) -> Array:
         return energy_of(self, t, y, rows)
 
