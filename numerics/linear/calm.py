@@ -32,19 +32,32 @@ class Calm(NamedTuple):
 
 
 @compilable
-def step_over(run: Run, now: Now, calm: Calm, step: int) -> tuple[Now, Calm]:
-    """Stick through the rest of a piece but for less than a step, if it is long, and time to look, and calm."""
+def look_ahead(run: Run, now: Now, calm: Calm, step: int, is_end: bool) -> Calm:
+    """Return whether the rest is calm where that is open: at the end, and if it is time to look and much is left."""
+    is_time = now.order == 0 and step >= calm.look and is_long(run, now)
+    if now.mode != 0 or not (is_time or (is_end and not calm.is_calm)):
+        return calm
+    if run.norm.root_m2 > 0.0 and (run.literal or rest_is_calm(run, now)):
+        return Calm(True, step, calm.begun)
+    return Calm(False, 2 * (step + 1) - calm.begun, calm.begun)  # seldom, where it stays in vain
+
+
+@compilable
+def is_long(run: Run, now: Now) -> bool:
+    """Return whether more than a few steps of stick are left of the piece."""
+    return bool(run.drive.length[now.piece, 0] - run.clock[0, 0] > 8.0 * run.tables.steps[place_of(run, now)])
+
+
+@compilable
+def step_over(run: Run, now: Now, calm: Calm) -> Now:
+    """Stick through the rest of a piece but for less than a step, if it is calm and long."""
     kind, _ = place_of(run, now)
-    left = run.drive.length[now.piece, 0] - run.clock[0, 0]
-    if now.mode != 0 or now.order != 0 or step < calm.look or not left > 8.0 * run.tables.steps[kind, STICK]:
-        return now, calm
-    is_calm = len(run.z) <= _MOST_COLUMNS and run.norm.root_m2 > 0.0
-    if not (is_calm and (run.literal or rest_is_calm(run, now))):
-        return now, Calm(False, 2 * (step + 1) - calm.begun, calm.begun)  # seldom, where it stays in vain
-    if left > _MOST_STEPS * run.tables.steps[kind, STICK]:
-        lost = Now(now.piece, 0, now.cell, 0, now.edge, now.late, math.inf, now.far, now.far_2, now.apart, math.inf)
-        return lost, Calm(True, step, calm.begun)  # with an error beyond all range
-    return long_step(run, now), Calm(True, step, calm.begun)
+    if not (calm.is_calm and is_long(run, now) and len(run.z) <= _MOST_COLUMNS):
+        return now
+    if run.drive.length[now.piece, 0] - run.clock[0, 0] > _MOST_STEPS * run.tables.steps[kind, STICK]:
+        # with an error beyond all range
+        return Now(now.piece, 0, now.cell, 0, now.edge, now.late, math.inf, now.far, now.far_2, now.apart, math.inf)
+    return long_step(run, now)
 
 
 @compilable

@@ -75,21 +75,30 @@ def parting(run: Run, now: Now, N: float, apart: float) -> float:
     return run.norm.bend * N + kappa * kappa * (abs(friction[V1]) * kappa * N + abs(friction[X2]) * apart)
 
 
-@compilable_with(forceinline=False)
+@compilable
 def grown(run: Run, now: Now, N: float, t: float) -> tuple[float, float]:
-    """Return bounds on N and on the error of x1 - x2 after a time in a mode, from N now.
-
-    They solve N' = fall N + pull P, P' = kappa N, with kappa^2 = 1/m1 + 1/m2: of the difference of two motions in a
-    cell (N^2/2)' = -a1 v1^2 - slope w^2 - pull z w, and |w| <= kappa N.
-    """
+    """Return bounds on N and on the error of x1 - x2 after a time in a mode, from N now."""
     kappa, friction = run.norm.kappa, run.tables.lines[place_of(run, now)][OTHERS + KINETIC]
-    fall, pull = kappa * kappa * max(0.0, -friction[V1]), kappa * abs(friction[X2])
-    root = math.sqrt(fall * fall + 4.0 * kappa * pull)
+    fall, pull = max(0.0, -friction[V1]), abs(friction[X2])
     if now.mode == 0:
         return N, now.apart
-    if root == 0.0:
+    if fall == 0.0 and pull == 0.0:
         return N, now.apart + kappa * N * t
+    return grown_in_cell(kappa, (kappa * kappa * fall, kappa * pull), (N, now.apart), t)
+
+
+@compilable_with(forceinline=False)
+def grown_in_cell(
+    kappa: float, rates: tuple[float, float], begun: tuple[float, float], t: float
+) -> tuple[float, float]:
+    """Return N and P after a time from those of its start, where N' = fall N + pull P and P' = kappa N.
+
+    With kappa^2 = 1/m1 + 1/m2: of the difference of two motions in a cell, w and z of it,
+    (N^2/2)' = -a1 v1^2 - slope w^2 - pull z w, and |w| <= kappa N.
+    """
+    (fall, pull), (N, P) = rates, begun
+    root = math.sqrt(fall * fall + 4.0 * kappa * pull)
     all_at, half = math.exp(0.5 * fall * t), 0.5 * root * t
     slow, part = all_at * math.exp(-half), 2.0 * all_at * math.sinh(half) / root
     up, down = slow + 0.5 * (root + fall) * part, slow + 0.5 * (root - fall) * part
-    return up * N + pull * part * now.apart, kappa * part * N + down * now.apart
+    return up * N + pull * part * P, kappa * part * N + down * P

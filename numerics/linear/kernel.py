@@ -17,7 +17,7 @@ import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.linear.calm import Calm, rest_is_calm, step_over
+from numerics.linear.calm import Calm, look_ahead, step_over
 from numerics.linear.evolve import evolve
 from numerics.linear.first_root import ROOT, UNDECIDED
 from numerics.linear.model import V2
@@ -70,27 +70,26 @@ def follow(problem: Problem, space: Any, start: Any, clear_until: float, log: Lo
     calm, how = Calm(False, 0, 0), GOES_ON
     for step in range(MOST_STEPS):
         form_z(run, now.piece)
-        if event.kind != NOTHING:
+        if event.kind != NOTHING and how == GOES_ON:
             before, now = now, resolve(run, now, event)
             is_event = event.kind == EXIT or (run.counts[0] > 0 and now.mode != before.mode)
             how = DOUBT if now.mode == UNDECIDED_MODE else record(run, now, event, is_event, log)
             calm = Calm(False, step, step)
-            if how != GOES_ON:
-                break
         enter(run, now.piece, now.mode)
-        now, calm = step_over(run, now, calm, step)
+        calm = look_ahead(run, now, calm, step, how == REACHED)
+        if how != GOES_ON:
+            break
+        now = step_over(run, now, calm)
         to = step_from(run, now, calm.is_calm, clear_until if run.counts[0] == 1 else -1.0)
         ahead = next_event(run, now, to)
         if ahead.how == UNDECIDED:
             how = DOUBT
             break
         now = evolve(run, now, ahead.s)
-        now, event, how = arrive(run, now, ahead, to, calm.is_calm)
-        if how != GOES_ON:
-            break
+        now, event, how = arrive(run, now, ahead, to)
     else:
         how = TOO_MANY
-    return close(run, now, how, log)
+    return close(run, now, STUCK if how == REACHED and calm.is_calm else how, log)
 
 
 @compilable
@@ -118,7 +117,7 @@ def begin(run: Run, start: Any) -> tuple[Now, StepEnd]:
 
 
 @compilable
-def arrive(run: Run, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[Now, StepEnd, int]:
+def arrive(run: Run, now: Now, ahead: Next, step: Step) -> tuple[Now, StepEnd, int]:
     """Return where the run is at the end of a step, what happens there, and how it ends there if it does."""
     y, nothing = run.y, StepEnd(NOTHING, 0.0)
     if not abs(y[0]) + abs(y[1]) + abs(y[2]) + abs(y[3]) + now.N < 1e300:
@@ -133,7 +132,7 @@ def arrive(run: Run, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[
         return now, nothing, GOES_ON
     places, piece = run.drive.places, now.piece + 1
     if piece == places.shape[0]:
-        return now, nothing, STUCK if is_calm or (now.mode == 0 and run.literal) else REACHED
+        return now, nothing, STUCK if now.mode == 0 and run.literal else REACHED
     run.clock[0, :] = 0.0
     kind = CONTACT if places[piece, 4] == 1 or (now.mode == 0 and places[piece, 3] == 1) else PIECE
     return (
@@ -197,13 +196,9 @@ def write(run: Run, row: Any, now: Now, late: float) -> None:
 
 @compilable
 def close(run: Run, now: Now, how: int, log: Log) -> tuple[int, int]:
-    """Write the row of the end; return how the run ended, and how many rows there are."""
+    """Write the row of the end, where z is; return how the run ended, and how many rows there are."""
     end, counts = log.end, run.counts
     if how != EVENT_LIMIT:
-        form_z(run, now.piece)
-        enter(run, now.piece, now.mode)
-        if how == REACHED and now.mode == 0 and run.norm.root_m2 > 0.0 and rest_is_calm(run, now):
-            how = STUCK
         write(run, end, now, 0.0)
         end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
     end[_HOW], end[_EVENTS] = how, counts[1]

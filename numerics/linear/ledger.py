@@ -41,20 +41,21 @@ def ledger(problem: Problem, space: Any, rows: Any, first: int, count: int, end:
     Return the row at which a segment is too long for steps, which is left out, or `count`.
     """
     run = run_of(problem, space)
-    for k in range(first, count):
-        row, after = rows[k], rows[k + 1] if k + 1 < count else end
+    for k in range(first, count + 1 if count > 0 else 0):
+        row = rows[k] if k < count else end
+        taken[6] += at_event(run, row)  # which starts from there
+        if k == count:
+            break
+        after = rows[k + 1] if k + 1 < count else end
         piece, mode = int(row[_PIECE]), int(row[_MODE])
         here = piece, mode, run.drive.places[piece, 0] + int(row[_CELL])
         h, left, N = run.tables.steps[here[2], 1 if mode == 0 else 0], after[_LENGTH], off_in(run, after)
-        taken[6] += at_event(run, row)
         if left > LONG * h:
             return k
         while left > 0.0:
             s = min(1.0, left / h)
             step(run, here, s, N, taken)
             left = left - h if s == 1.0 else 0.0
-    if count > 0:
-        taken[6] += at_event(run, end)
     return count
 
 
