@@ -89,8 +89,8 @@ def step(run: Run, here: tuple[int, int, int], s: float, N: float, taken: Any) -
             enter(run, piece, mode)
             weight = WEIGHTS[n] / cut * s * h
             for k in range(6):
-                one, a = factor(run, powers[2 * k], N)
-                two, b = factor(run, powers[2 * k + 1], N)
+                one, a = factor(run.norm, powers[2 * k], run.z, run.size, N)
+                two, b = factor(run.norm, powers[2 * k + 1], run.z, run.size, N)
                 taken[k] += weight * one * two
                 taken[6] += weight * (abs(one) * b + abs(two) * a + a * b)
     put(run.clock[0], plus(begun, two_product(s, h)))
@@ -116,17 +116,16 @@ def at_event(run: Run, row: Any) -> float:
     form_z(run, piece)
     for side in range(2):
         for k in range(6):
-            one, a = factor(run, tables.lines[kind, side, POWERS + 2 * k], N)
-            two, b = factor(run, tables.lines[kind, side, POWERS + 2 * k + 1], N)
+            one, a = factor(run.norm, tables.lines[kind, side, POWERS + 2 * k], run.z, run.size, N)
+            two, b = factor(run.norm, tables.lines[kind, side, POWERS + 2 * k + 1], run.z, run.size, N)
             total += 2.0 * (abs(one) + a) * (abs(two) + b)
     return float(row[_LATE] * total)
 
 
 @compilable_with(forceinline=False)
-def factor(run: Run, row: Any, N: float) -> tuple[float, float]:
+def factor(norm: Norm, row: Any, z: Any, size: Any, N: float) -> tuple[float, float]:
     """Return the value of a row, and by how much it may be off."""
-    off = reach(run.norm, row) * N + 32.0 * UNIT * size_of(row, run.size)
-    return dot(row, run.z), off
+    return dot(row, z), reach(norm, row) * N + 32.0 * UNIT * size_of(row, size)
 
 
 @compilable

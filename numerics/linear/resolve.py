@@ -131,23 +131,23 @@ def reach_of(row: Any, z: Any, signed: Any) -> float:
 
 
 @compilable_with(forceinline=False)
-def most_of(run: Run, at: tuple[int, int], row: Any, late: float) -> float:
-    """Return the greatest value of a row for either sign of b, within `late` of where z stands in a mode."""
-    tables, (kind, mode) = run.tables, at
-    signed, A = tables.lines[kind, mode, SIGNED], tables.A[kind, mode]
-    most = reach_of(row, run.z, signed)
-    if late > 1e-8 * tables.steps[kind, mode]:  # else less than rounding
+def most_of(row: Any, signed: Any, A: Any, z: Any, late: float) -> float:
+    """Return the greatest value of a row for either sign of b, within `late` of where z stands in the mode of A."""
+    most = reach_of(row, z, signed)
+    if late > 0.0:
         for j in range(len(A)):
-            most += 2.0 * late * abs(row[j]) * reach_of(A[j], run.z, signed)
+            most += 2.0 * late * abs(row[j]) * reach_of(A[j], z, signed)
     return most
 
 
 @compilable
 def fastest(run: Run, now: Now, rate: int, late: float) -> float:
     """Return the greatest of one of the RATES in any mode within `late` of where a run is."""
-    most = 0.0
-    for mode in range(-1 if len(run.tables.ends) > 1 else 0, 2):  # one cell serves both slips
+    tables, most = run.tables, 0.0
+    for mode in range(-1 if len(tables.ends) > 1 else 0, 2):  # one cell serves both slips
         at = meeting(run, now.piece, now.cell, mode), SLIP if mode != 0 else STICK
         if mode != 0 or run.literal or rate < OF_V1:  # else stick's is between those of the slips
-            most = max(most, most_of(run, at, run.tables.lines[at][RATES + rate], late))
+            lines = tables.lines[at]
+            moved = late if late > 1e-8 * tables.steps[at] else 0.0  # else less than rounding
+            most = max(most, most_of(lines[RATES + rate], lines[SIGNED], tables.A[at], run.z, moved))
     return most
