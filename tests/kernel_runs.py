@@ -57,7 +57,7 @@ def run(scene, by=NOTHING, most=60):
     prepared, cells = prepare(scene), cells_of(scene)
     start, rows, end = prepared.start.copy(), np.empty((500, ROW)), np.zeros(END_ROW)
     if cells is not None:
-        start[:ROW] = _exact_rows(prepared, exact_knots(scene, prepared.pieces)[:1], cells)[0]
+        start[:ROW] = _exact_rows(prepared, exact_knots(scene, prepared.pieces)[:1])[0]
         start[AT["jump"]] = start[BOUNDS[1:]] = 0.0
     for k, exponent in enumerate([prepared.units.of(length=1), prepared.units.of(length=1, time=-1)] * 2):
         start[BOUNDS[1 + k]] = math.ldexp(abs(float(by[k])), -exponent)
