@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import chain, pairwise
+from itertools import chain, combinations, pairwise
 from typing import Any, NamedTuple
 
 from numerics.plane.vector import Vector
@@ -63,13 +63,18 @@ class ReducedPlane(NamedTuple):
     def sticks_for_ever(self, groups: Iterable[Iterable[int]]) -> bool:
         """Return whether the loads of bodies that stick at t = 0 stay in K as long as the first piece lasts.
 
-        Asked where they swing with one frequency, Lam = C cos W t + W^-1 Lam' sin W t: then K has the whole ellipse if
-        and only if the larger root of B^-1 (C C^T + W^-2 Lam' Lam'^T) B^-1 is at most 1. Else False.
+        Without a damper under a constant force p = u - A2 q has p'' = -A2 M^-1 p. With W such that |B^-1 Lam|^2 = p.W p
+        and W A2 M^-1 symmetric, p.W p + p'.W (A2 M^-1)^-1 p' is kept: it is enough that it is at most 1.
+        Where all loads swing with one frequency, Lam = C cos w t + w^-1 Lam' sin w t, K has the whole ellipse if
+        and only if the larger root of B^-1 (C C^T + w^-2 Lam' Lam'^T) B^-1 is at most 1. Else False.
         """
-        mass = self.m1 + self.m2
+        mass, (_, speed, _) = self.m1 + self.m2, self.start
         if self.pieces[0].terms.keys() - {0} or any(map(any, self.a1)):
             return False
-        push, rate = self.push, self.a2 @ self.start[1]
+        push, rate, worth = self.push, self.a2 @ speed, self.weight * mass
+        is_kept = all(worth[i] == worth[j] or not self.a2[i][j] for i, j in combinations(range(len(mass)), 2))
+        if is_kept and self.weight * push @ push + worth * speed @ rate <= 1:
+            return True
         bends = [(one, self.a2 @ (one / mass)) for one in (push, rate)]
         square = next((y / x for pair in bends for x, y in zip(*pair, strict=True) if x), Fraction(1))
         if any(two != one * square for one, two in bends):

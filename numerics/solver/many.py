@@ -130,7 +130,7 @@ def solve_scenes(
     jobs: int | None = None,
     progress: Progress | None = None,
 ) -> Batch:
-    """Solve each scene in float64, where that is in doubt in balls as `solve` does; arrays of shape (len(scenes),).
+    """Solve each scene in float64, in balls where that is in doubt or has too many steps; arrays (len(scenes),).
 
     Scenes on a surface must have the same number of axes; they run in balls, in `jobs` processes, which need joblib
     (default: all cores if it is installed). Scenes on a line run in one thread; `solve_many` is

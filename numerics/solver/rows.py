@@ -114,21 +114,22 @@ def in_chunks(task: Callable[[slice], int], count: int, jobs: int | None) -> Ite
 def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats, goes_on: bool) -> None:
     """Solve one scene, and write its first events and its end; their times count from the start of the run.
 
-    A scene in doubt `goes_on` in balls, as in `solve`.
+    A scene that float64 leaves open or that leaves its range `goes_on` in balls, as in `solve`; what these find must
+    fit in floats.
     """
     kept[:] = end[:] = np.nan  # also what compiled code wrote, in units of its own, before it left the row to this
     try:
         try:
             found = run_scene(scene, _FLOAT64, max_events)
-        except EventUndecided:
+        except (EventUndecided, OutOfRange):
             if not goes_on:
                 raise
             found = solve(scene, max_events=max_events)
+        rows, last = (found.record.rows, found.record.end) if found.bounded else _in_floats(found)
     except (EventUndecided, OutOfRange) as error:
         end[AT["how"]] = How.OUT_OF_RANGE if isinstance(error, OutOfRange) else How.DOUBT
         end[AT["mode"]] = end[AT["events"]] = 0.0
         return
-    rows, last = (found.record.rows, found.record.end) if found.bounded else _in_floats(found)
     at = [0, *np.flatnonzero(rows[:, AT["event"]])[: len(kept) - 1]]
     kept[: len(at)], end[:] = rows[at], last
     for row in (*kept[: len(at)], end):
@@ -139,7 +140,10 @@ def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats, goes_on:
 
 
 def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
-    """Return rows and the end of a run in balls as floats, with their distances from the true numbers as bounds."""
+    """Return rows and the end of a run in balls as floats, with their distances from the true numbers as bounds.
+
+    Raises OutOfRange where floats do not hold them.
+    """
     record, names, late = found.record, ("local", *STATE), AT["late"]
     knots = (*record.rows, record.end)
     table = np.zeros((len(knots), END_ROW))
@@ -149,4 +153,6 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
         took, error = floats_of([found.ledger.friction, found.ledger.viscous, found.ledger.work])
     table[:, [AT[name] for name in names]], table[:, late : late + len(names)] = near, off
     table[-1, ROW:] = record.how, record.events, *took, 0.0, 0.0, 0.0, error.sum()
+    if not (np.isfinite(table).all() and np.isfinite(floats_of(found.energy)).all()):
+        raise OutOfRange("a number of this scene does not fit in float64; solve(scene) has it in balls")
     return table[:-1, :ROW], table[-1]

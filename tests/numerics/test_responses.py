@@ -13,7 +13,9 @@ from strategies import decimals, fewer, signed, sine_scenes
 
 from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, response, solve
 from numerics.arithmetic.ball import Ball
-from numerics.control.response import Regime, Response, attraction_of
+from numerics.control.response import Regime, Response, attraction_of, last_drive
+from numerics.control.stuck import entrained
+from numerics.scene import largest
 
 
 def comes_back(found: Response, digits: int) -> None:
@@ -60,6 +62,14 @@ def test_a_load_above_the_limit_for_a_ten_thousandth_of_a_period_is_seen():
     scene = Scene(DAMPED, State(), 1, force=first + Force.sine("0.148450942337", 24, "0.997413953"))
     with suppress(EventUndecided):
         assert response(scene).regime is not Regime.ENTRAINED
+
+
+def test_that_friction_does_not_hold_under_nearly_incommensurable_sines_is_seen_at_once(monkeypatch):
+    """At all halves of halves of so long a period 12 rad/s has one phase: that took minutes."""
+    monkeypatch.setattr(largest, "_MOST_PARTS", 512)
+    drive = last_drive(Scene(DAMPED, State(), 1, force=Force.sine("0.5", 12) + Force.sine("0.1", "1.4142135623730951")))
+    with Ball(30).context():
+        assert not entrained(drive)
 
 
 REGIMES = """

@@ -84,6 +84,44 @@ def test_a_slip_ends_along_the_load_of_a_round_pair():
         assert size < 0.5
 
 
+UNCOUPLED = PlanePair([1, 2], [1, 3], [200, 120], ["0.271", "1.3"])
+COUPLED = PlanePair(1, 1, [[200, 60], [60, 120]], "0.5")
+LEAVING = PlanePair(1, 1, [[200, 60], [60, 120]], [1, "0.1"])
+"""At rest on the edge the load of the last one goes out of K, for some directions; those of the others only fall."""
+
+
+def at_rest_with(pair: PlanePair, load: tuple[Fraction, Fraction], until: str = "2") -> PlaneScene:
+    """A pair at rest, its springs stretched so that sticking needs these parts of b."""
+    (a, c), (_, d) = pair.a2
+    u, v = (-x * b * (1 + m1 / m2) for x, b, m1, m2 in zip(load, pair.b, pair.m1, pair.m2, strict=True))
+    return PlaneScene(pair, until, x1=[(d * u - c * v) / (a * d - c * c), (a * v - c * u) / (a * d - c * c)])
+
+
+@pytest.mark.parametrize("load", [("0.6", "0.8"), ("-5/13", "12/13"), ("0.8", "-0.6"), (0, -1)])
+@pytest.mark.parametrize("pair", [UNCOUPLED, COUPLED])
+def test_a_pair_at_rest_exactly_on_the_edge_sticks_where_its_load_can_only_fall(pair, load):
+    """Also where its axes swing with different frequencies."""
+    load = tuple(map(Fraction, load))
+    run = solve(at_rest_with(pair, load))
+    assert run.modes == ("stick",)
+    m1, m2, b, a2 = (np.array(one, float) for one in (pair.m1, pair.m2, pair.b, pair.a2))
+    q1 = run.floats(run.sol(np.linspace(0, 2, 400)))[:2]
+    strain = (m2 / (m1 + m2) / b)[:, None] * (a2 @ q1)
+    assert (strain**2).sum(axis=0).max() < 1 + 1e-12
+    beyond = tuple(x * (1 + Fraction(1, 10**20)) for x in load)
+    assert solve(at_rest_with(pair, beyond, "0.01")).modes[0] == "slip"
+
+
+def test_a_load_that_springs_or_velocities_draw_out_of_the_edge_is_not_said_to_stick():
+    out = Fraction("0.6"), Fraction("-0.8")
+    inside = tuple(x * (1 - Fraction(1, 10**6)) for x in out)
+    assert solve(at_rest_with(LEAVING, inside, "0.1")).modes[:2] == ("stick", "slip")
+    moving = at_rest_with(UNCOUPLED, inside, "0.1").replace(v1=[0, "0.1"], v2=[0, "0.1"])
+    assert solve(moving).modes[:2] == ("stick", "slip")
+    with pytest.raises(EventUndecided):
+        solve(at_rest_with(LEAVING, out))
+
+
 @given(plane_scenes())
 @example(PlaneScene(PlanePair(1, 1, 80, "0.2"), 1, x1="0.01"))  # a load of 0 at the end of a slip
 @example(  # late: the time has more bits than the state, and a slip's clock began at a rounded one
