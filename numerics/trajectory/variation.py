@@ -27,12 +27,14 @@ from flint import arb, arb_mat, fmpq_series
 from numerics.arithmetic.ball import Ball, Parts, ball_of, magnitude_bits, parts_of
 from numerics.arithmetic.precision import precision
 from numerics.linear.cells import cells_of, series
-from numerics.linear.flow import motion_in
 from numerics.linear.model import (
+    DRIVEN,
     FIRST,
     FRICTION,
     SLIP,
     STICK,
+    V1,
+    V2,
     Bodies,
     Cell,
     Layout,
@@ -42,7 +44,7 @@ from numerics.linear.model import (
     spread_omegas,
 )
 from numerics.linear.record import Knot
-from numerics.linear.system import LinearMode, LocalNorm
+from numerics.linear.system import LinearMode, LocalNorm, sparse, value
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.flow import BITS_PER_SQUARING
@@ -77,6 +79,11 @@ class Leg(NamedTuple):
         """Return the sign of v1 - v2, 0 in stick."""
         return self.mode.side
 
+    @property
+    def rates(self) -> Array:
+        """Return (x1, v1, x2, v2)' at its start."""
+        return rates_in(self.mode, self.start, self.state)
+
 
 def legs(trajectory: Trajectory) -> list[Leg]:
     """Return the legs up to the horizon; else up to the event at which the run was cut off, and one of length 0."""
@@ -93,10 +100,19 @@ def legs(trajectory: Trajectory) -> list[Leg]:
     ]
 
 
-def field(mode: LinearMode, state: Sequence[arb], t: arb) -> Array:
-    """Return (x1, v1, x2, v2)' of a state at a time, s."""
-    motion = motion_in(mode, state, t)
-    return np.array((motion.flow.A * motion.column).entries()[:FIRST])
+def rates_in(mode: LinearMode, t: arb, state: Sequence[arb]) -> Array:
+    """Return (x1, v1, x2, v2)' of a state at a time (s) in a mode."""
+    z = mode.begin(state, t)
+    return np.array([value(sparse(row), z) for row in mode.generator()[:FIRST]])
+
+
+def driven(mode: LinearMode, z: Any) -> Any:
+    """Return z, or derivatives of it, with the velocity that a belt gives body 2, and in stick body 1 too."""
+    if mode.pair.is_fixed:
+        z[V2] = value(sparse(mode.rows.others[DRIVEN]), z)
+        if not mode.side:
+            z[V1] = z[V2]
+    return z
 
 
 class Variation:
@@ -108,8 +124,7 @@ class Variation:
     def __init__(self, scene: Scene, column: dict[str, int], mode: LinearMode, cell: tuple[int, int]) -> None:
         """Take the numbers of the scene."""
         piece, side, cells = mode.piece, mode.side, cells_of(scene)
-        self.mode, self.column, self.side, self.is_weakened = mode, column, side, cells is not None
-        self.asked = {name.partition(".")[0] for name in column}
+        self.mode, self.column, self.is_weakened = mode, column, cells is not None
         self.norm = LocalNorm(self.mode, cells.pulling if cells else None)
         self.rows, kind = self.mode.rows, SLIP if side else STICK
         self.A = _balls(self.rows.A[kind])
@@ -140,24 +155,19 @@ class Variation:
         found.mode, found.signals = mode, _acting(scene, mode.piece.start)
         return found
 
-    def begun(self, state: Sequence[arb], t: arb, y: Array) -> tuple[Array, Array]:
+    def begun(self, state: Sequence[arb], t: arb, y: Array) -> tuple[Any, Any]:
         """Return z, and its derivatives (n, p) from those of the state (4, p), at a time (s)."""
-        z, found = np.array(self.mode.begin(state, t)), np.full((self.mode.size, y.shape[1]), arb(0))
+        mode, found = self.mode, np.full((self.mode.size, y.shape[1]), arb(0))
         found[:FIRST] = y
-        blocks = self.mode.layout.blocks.tolist()
+        z, blocks = np.array(mode.begin(state, t)), mode.layout.blocks.tolist()
         for which, ((name, piece), block) in enumerate(zip(self.signals, blocks, strict=True)):
-            if (name or "b") not in self.asked or (which == FRICTION and self.is_weakened):
+            if which == FRICTION and self.is_weakened:
                 continue  # where friction depends on the state the lines of its cell have moved all rows
-            sign = (self.side or 1) if which == FRICTION else 1
+            sign = (mode.side or 1) if which == FRICTION else 1
             for key, first, by in _by_numbers(piece, block, z, t, sign):
                 if (place := self.column.get(f"{name}.{key}".removeprefix("."))) is not None:
                     found[first : first + len(by), place] += by
-        return z, found
-
-    def moving(self, row: Array, state: Sequence[arb], t: arb, y: Array, late: Array | int) -> tuple[arb, Array]:
-        """Return an exact row of z at a time (s), and its derivatives where that moves by `late`."""
-        (z, moved), here = self.begun(state, t, y), _balls(row)
-        return here @ z, here @ moved + here @ (self.A @ z) * late
+        return z, driven(mode, found)
 
     def over(self, state: Sequence[arb], t: arb, tau: arb, y: Array) -> Array:
         """Return the derivatives of the state tau (s) after the start of a motion, from those at its start, (4, p)."""
@@ -186,7 +196,7 @@ class Variation:
         The derivatives are at a fixed time. The guard of a slip is v1 - v2, of a stick which ends in the slip of a sign
         the edge less that times the load.
         """
-        place = (SLIP, 0) if self.side else (STICK, 0 if exit_side > 0 else 1)
+        place = (SLIP, 0) if self.mode.side else (STICK, 0 if exit_side > 0 else 1)
         z, moved = self.begun(state, t, y)
         here = _balls(self.rows.guards[place])
         by = here @ moved
