@@ -44,7 +44,7 @@ from numerics.linear.model import (
     spread_omegas,
 )
 from numerics.linear.record import Knot
-from numerics.linear.system import LinearMode, LocalNorm, sparse, value
+from numerics.linear.system import LinearMode, LocalNorm, matrix, sparse, value
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.flow import BITS_PER_SQUARING
@@ -102,8 +102,8 @@ def legs(trajectory: Trajectory) -> list[Leg]:
 
 def rates_in(mode: LinearMode, t: arb, state: Sequence[arb]) -> Array:
     """Return (x1, v1, x2, v2)' of a state at a time (s) in a mode."""
-    z = mode.begin(state, t)
-    return np.array([value(sparse(row), z) for row in mode.generator()[:FIRST]])
+    z = arb_mat(mode.size, 1, mode.begin(state, t))
+    return np.array((matrix(mode.generator()[:FIRST]) * z).entries())
 
 
 def driven(mode: LinearMode, z: Any) -> Any:
