@@ -1,4 +1,4 @@
-"""The numbers of many scenes by their names: what a sweep varies."""
+"""The numbers of many scenes by their names: what a sweep varies. And what is read off single runs."""
 
 from __future__ import annotations
 
@@ -58,11 +58,23 @@ def _numbers_of(scene: Scene | PlaneScene) -> dict[str, Fraction]:
     return {name: one for name, one in found.items() if not name.startswith(tables)}
 
 
-def ended_by(error: NumericsError) -> Status:
-    """Return how a run of a batch ended that has no answer; a part of a box may have too many events."""
-    if isinstance(error, OutOfRange):
-        return Status.OUT_OF_RANGE
-    return Status.EVENT_LIMIT if isinstance(error, InvalidScene) else Status.SEQUENCE_OPEN
+def ended(run: Any) -> dict[str, Any]:
+    """Return how a run of a batch ended; of one without an answer, its error: a part of a box may have many events."""
+    if not isinstance(run, NumericsError):
+        return {"status": run.status, "message": run.message, "events": len(run.events)}
+    beyond = Status.EVENT_LIMIT if isinstance(run, InvalidScene) else Status.SEQUENCE_OPEN
+    status = Status.OUT_OF_RANGE if isinstance(run, OutOfRange) else beyond
+    return {"status": status, "message": str(run), "events": 0}
+
+
+def together(rows: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """Return what was read off each run as arrays by its names; those of states have x1, v1, x2, v2 in front."""
+    found = dict[str, Any]()
+    for name in rows[0] if rows else ():
+        axis = int(name.startswith(("y", "event_y")))
+        one = np.stack([np.asarray(row[name]) for row in rows], axis)
+        found[name] = one.astype(object) if one.dtype.kind == "U" else one  # texts are those of Python
+    return found
 
 
 def varying(inputs: dict[str, Floats]) -> dict[str, Floats]:
