@@ -59,9 +59,9 @@ class Shift(NamedTuple):
     """
 
     t: Array
-    off: Array
     before: Array
     behind: Array | None
+    off: Array | arb = arb(0)
 
 
 class Chain:
@@ -193,7 +193,7 @@ class Chain:
         off = ended.norm * own.norm.most(by_state.tolist()) + ended.place * abs(by_state[2])
         off = off + (ended.far * abs(by_state[0] + by_state[2]) if not own.norm.root_a2 > 0 else 0)
         behind = after.rates if leg.side or self.bodies.static != 1 else None
-        return Shift(-moved / rate, off / abs(rate), rates_in(leg.mode, after.start, after.state), behind)
+        return Shift(-moved / rate, rates_in(leg.mode, after.start, after.state), behind, off / abs(rate))
 
     def _by_jumps(self, index: int) -> Iterator[Shift]:
         """Yield how each start at the beginning of a leg that begins a piece moves it.
@@ -202,7 +202,7 @@ class Chain:
         left out. Raises NotDifferentiable if the order of two jumps counts.
         """
         leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
-        here, at, literal = leg.mode.piece, (leg.start, leg.state), scene.law is Law.THREE_VALUED_SGN
+        here, literal = leg.mode.piece, scene.law is Law.THREE_VALUED_SGN
         before = last.mode.piece if index else _in_front(here, scene)
         begun = ((k, f"{name}.from", piece) for k, (name, piece) in enumerate(self._of(leg).signals))
         names = {k: name for k, name, piece in begun if piece.start == here.start and name in self.column}
@@ -221,7 +221,7 @@ class Chain:
             t = self._zeros()
             t[self.column[names[k]]] += 1
             if index:
-                yield Shift(t, self._zeros(), self._rates(one, *at, last.side, last.cell), leg.rates)
+                yield Shift(t, self._rates(leg, one, last.side, last.cell), leg.rates)
             else:
                 yield from self._begun_later(one, k, t)
 
@@ -231,31 +231,31 @@ class Chain:
         From v1 = v2 the bodies may part in that time, to the wrong side or from a stick: a slip back follows.
         """
         leg, t = self.legs[0], Fraction(0)
-        here, at = leg.mode.piece, (leg.start, leg.state)
+        here = leg.mode.piece
         before, begun = (exact_knots(self.scene, (one,))[0] for one in (piece, here))
         _, rates, *_ = derivatives(mode_in(self.scene, piece, before.mode, before.cell), t, before.state)
         moved = rates[V1] - rates[V2]
         if k == BELT:  # its polynomial begins late as well, its sines do not
             waves = replace(here.signals[BELT], polynomial=())
             moved = rates[V1] - signal_form(replace(here, signals=(*here.signals[:BELT], waves)), BELT, t, 1)
-        side, in_front = moved.sign(), self._rates(piece, *at, before.mode, before.cell)
+        side, in_front = moved.sign(), self._rates(leg, piece, before.mode, before.cell)
         if begun.gap != 0 or side in (0, leg.side):
-            yield Shift(late, self._zeros(), in_front, leg.rates)
+            yield Shift(late, in_front, leg.rates)
             return
-        back = self._rates(here, *at, side, (0, leg.cell[1]))
+        back = self._rates(leg, here, side, (0, leg.cell[1]))
         rate = back[1] - back[3]
         if not rate * side < 0:
             begins = f"{SIGNALS[k]}[0] begins a little later"
             raise NotDifferentiable(
                 f"this scene has no derivatives: where {begins} the bodies part; change it slightly"
             )
-        yield Shift(late, self._zeros(), in_front, back)
-        yield Shift(late * (1 - moved.enclosed(flint.ctx.prec) / rate), self._zeros(), back, leg.rates)
+        yield Shift(late, in_front, back)
+        yield Shift(late * (1 - moved.enclosed(flint.ctx.prec) / rate), back, leg.rates)
 
-    def _rates(self, piece: ExactPiece, t: arb, state: Sequence[arb], side: int, cell: tuple[int, int]) -> Array:
-        """Return (x1, v1, x2, v2)' of a state in a mode under a piece."""
+    def _rates(self, leg: Leg, piece: ExactPiece, side: int, cell: tuple[int, int]) -> Array:
+        """Return (x1, v1, x2, v2)' where a leg starts, but in a mode under another piece."""
         mode = mode_in(self.scene, piece, side, cell)
-        return rates_in(mode, t, driven(mode, mode.begin(state, t))[:FIRST])
+        return rates_in(mode, leg.start, driven(mode, mode.begin(leg.state, leg.start))[:FIRST])
 
     def _hold(self, pieces: dict[int, ExactPiece], leg: Leg) -> bool:
         """Return whether the load stays below the edge for sure under each of some pieces, where a leg starts."""

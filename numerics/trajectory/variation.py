@@ -15,7 +15,6 @@ from collections.abc import Iterator, Sequence
 from copy import copy
 from fractions import Fraction
 from functools import lru_cache
-from itertools import pairwise
 from math import inf, perm
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -43,7 +42,6 @@ from numerics.linear.model import (
     put_rows,
     spread_omegas,
 )
-from numerics.linear.record import Knot
 from numerics.linear.system import LinearMode, LocalNorm, matrix, sparse, value
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
@@ -53,6 +51,8 @@ from numerics.trajectory.trajectory import Trajectory
 SIGNALS = ("force", "force_2", "belt", "wall", "friction")
 _OF_A_PAIR = ("m1", "m2", "a1", "a2", "b", "b_static")
 _NOTHING = Piece(0)
+_FIXED = Cell(0, 0, 0)
+"""The derivative of a line of friction that does not move."""
 _balls = np.frompyfunc(Ball.number, 1, 1)
 _slopes = np.frompyfunc(lambda x: x[1] if isinstance(x, fmpq_series) else 0, 1, 1)
 
@@ -87,11 +87,10 @@ class Leg(NamedTuple):
 
 def legs(trajectory: Trajectory) -> list[Leg]:
     """Return the legs up to the horizon; else up to the event at which the run was cut off, and one of length 0."""
-    knots: list[Knot] = trajectory.record.rows
+    knots, begins = trajectory.record.rows, np.diff(trajectory.row_pieces, prepend=-1) != 0
     starts, lengths = trajectory.row_times.tolist(), [*trajectory.row_lengths.tolist(), arb(0)]
     with trajectory.arithmetic.context():  # a time is known, whatever a box of starts is
         last = Ball.number(trajectory.scene.until) if trajectory.reached else starts[-1]
-    begins = [True, *(one.piece != two.piece for one, two in pairwise(knots))]
     return [
         Leg(
             trajectory.row_mode(k), start, end, lengths[k], (one.x1, one.v1, one.x2, one.v2), one.event, first, one.cell
@@ -132,19 +131,16 @@ class Variation:
         b = f"{self.signals[FRICTION][0]}.b" if self.signals[FRICTION][0] else "b"
         lines = cells.by_numbers(piece, side or 1, cell, b) if cells else {}
         pair, layout, line = self.mode.pair, self.mode.layout, self.mode.cell
-        omegas = {
-            f"{name}.sines[{k}].omega": first + 2 * k + 1
-            for (name, _), (_, _, first, waves) in zip(self.signals, layout.blocks.tolist(), strict=True)
-            for k in range(waves)
-        }
-        self.moved: dict[str, Rows] = {}
+        moving: dict[str, tuple[int, Any]] = dict.fromkeys(_OF_A_PAIR, (-1, _FIXED))
+        for (name, _), (_, _, first, waves) in zip(self.signals, layout.blocks.tolist(), strict=True):
+            moving |= {f"{name}.sines[{k}].omega": (first + 2 * k + 1, _FIXED) for k in range(waves)}
+        moving |= {name: (-1, one) for name, one in lines.items()}
+        names = [name for name in column if name in moving]
+        self.moved = {name: _moved_rows(pair, layout, line, name, *moving[name]) for name in names}
         """The derivatives of the matrices by the numbers on which they may depend."""
         alike: dict[tuple[Any, ...], list[int]] = {}
-        for name, place in column.items():
-            if name in _OF_A_PAIR or name in omegas or name in lines:
-                moved = _moved_rows(pair, layout, line, name, omegas.get(name, -1), lines.get(name, (0, 0, 0)))
-                self.moved[name] = moved
-                alike.setdefault(tuple(moved.A[kind].flat), []).append(place)
+        for name, moved in self.moved.items():
+            alike.setdefault(tuple(moved.A[kind].flat), []).append(column[name])
         self.inputs = [(_balls(np.reshape(A, self.A.shape)), places) for A, places in alike.items() if any(A)]
         """The A_p that are not 0, with the places of p: in stick both masses have one."""
         self.flow = lru_cache(maxsize=64)(self._flow)
