@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, nonnegative, positive, put, short, shown
-from numerics.scene.friction import Friction
-from numerics.scene.nonnegative import require_nonnegative
+from numerics.scene.friction import Friction, require_nonnegative
 from numerics.scene.pieces import MAKERS, Piece, Signal
 from numerics.scene.replaced import replaced
 from numerics.scene.short_repr import ShortRepr

@@ -30,9 +30,9 @@ from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
 from numerics.linear.cells import mode_in
 from numerics.linear.exact_start import exact_knots
-from numerics.linear.model import BELT, CONSTANT, EDGE, FIRST, FRICTION, LOAD, V1, V2, WALL, X1, Bodies
+from numerics.linear.model import BELT, CONSTANT, FIRST, FRICTION, V1, V2, WALL, X1, Bodies
 from numerics.linear.pieces import ExactPiece
-from numerics.linear.system import sparse, value
+from numerics.linear.system import value
 from numerics.linear.ties import derivatives, signal_form
 from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
@@ -259,13 +259,8 @@ class Chain:
 
     def _hold(self, pieces: dict[int, ExactPiece], leg: Leg) -> bool:
         """Return whether the load stays below the edge for sure under each of some pieces, where a leg starts."""
-        loads = []
-        for one in pieces.values():
-            mode = mode_in(self.scene, one, 0, (0, leg.cell[1]))
-            z, others = mode.begin(leg.state, leg.start), mode.rows.others
-            load, edge = (value(sparse(others[k]), z) for k in (LOAD, EDGE))
-            loads.append(bool(abs(load) < edge))
-        return all(loads)
+        modes = [mode_in(self.scene, one, 0, (0, leg.cell[1])) for one in pieces.values()]
+        return all(value(row, mode.begin(leg.state, leg.start)) > 0 for mode in modes for row in mode.guards)
 
 
 def _in_front(here: ExactPiece, scene: Scene) -> ExactPiece:
