@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 from math import comb
@@ -12,7 +11,7 @@ from typing import Any, TypeVar
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, listed, nonnegative, put, short, shown
 from numerics.scene.pieces import Piece, Signal, begun, require_order
-from numerics.scene.short_repr import ShortRepr
+from numerics.scene.short_repr import ShortRepr, record
 
 MAX_POINTS = 1000
 _DIGITS = 14
@@ -21,7 +20,7 @@ _B = TypeVar("_B")
 _AT_REST = "that is the b of the pair; for more friction at rest give it b_static, for less begin at |w| = 1e-6"
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class Weakening(ShortRepr):
     """Friction in slip, F = sgn(w) (B(|w|) + C(z)), w = v1 - v2 (m/s), z = x1 - x2 (m); at rest at most B(0) + C(z).
 
@@ -62,7 +61,7 @@ class Weakening(ShortRepr):
         keep(self, last_slope=last_slope)
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class Friction(ShortRepr):
     """The friction force b(t) >= 0 (N) by pieces, in order; before the first one the pair's b. Exact.
 

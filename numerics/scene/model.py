@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field, fields
+from dataclasses import field, fields
 from enum import Enum
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -17,7 +17,7 @@ from numerics.scene.decimals import Exact, exact_decimal, keep, nonnegative, pos
 from numerics.scene.friction import Friction, require_nonnegative
 from numerics.scene.pieces import MAKERS, Piece, Signal
 from numerics.scene.replaced import replaced
-from numerics.scene.short_repr import ShortRepr
+from numerics.scene.short_repr import ShortRepr, record
 
 if TYPE_CHECKING:
     from numerics.scene.decimals import Quantity
@@ -36,7 +36,7 @@ class Law(Enum):
     """sgn(0) = 0 as in eqs (11)-(12): whenever v1 = v2 the pair sticks, whatever force that takes (Section IV)."""
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class Pair(ShortRepr):
     """The two bodies, their spring, damper and friction.
 
@@ -130,7 +130,7 @@ class Pair(ShortRepr):
         return (found if self.is_fixed else found + v2 * v2 * number(self.m2)) / 2
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class State(ShortRepr):
     """Positions x1, x2 (m) and velocities v1, v2 (m/s) of the two bodies, exact. Raises InvalidScene.
 
@@ -163,7 +163,7 @@ BUILD = "build Scene(Pair(...), State(...), until=...), or take load_scene(...)"
 NO_FORCE, SAME_FRICTION = Signal(), Friction()
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class Scene(ShortRepr):
     """A pair, its state at t = 0, the horizon `until` (s) > 0, the reading of sgn(0), friction, and what acts on it.
 
