@@ -20,8 +20,8 @@ _Record = TypeVar("_Record")
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def record(kind: type[_Record]) -> type[_Record]:
-    """Return a class as a frozen dataclass that reads its parts itself, and whose repr is that of ShortRepr."""
-    return dataclass(frozen=True, slots=True, init=False, repr=False)(kind)
+    """Return a class as a frozen dataclass, which may read its parts itself, with the repr that it inherits."""
+    return dataclass(frozen=True, slots=True, repr=False)(kind)
 
 
 class ShortRepr(Helpful):
