@@ -136,6 +136,8 @@ class State(ShortRepr):
 
     >>> State(x1="1/200", v1=0.15), State(v2=1).x2
     (State(x1=0.005, v1=0.15), Fraction(0, 1))
+    >>> [*State(v1=2)]
+    [Fraction(0, 1), Fraction(2, 1), Fraction(0, 1), Fraction(0, 1)]
     """
 
     x1: Fraction
@@ -146,6 +148,10 @@ class State(ShortRepr):
     def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
         """Read every coordinate as an exact decimal."""
         keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
+
+    def __iter__(self) -> Iterator[Fraction]:
+        """Yield x1, v1, x2, v2."""
+        yield from (self.x1, self.v1, self.x2, self.v2)
 
 
 def _first(found: dict[str, Any]) -> str:
@@ -311,8 +317,7 @@ class Scene(ShortRepr):
     @property
     def energy(self) -> Fraction:
         """E at t = 0, J, exact."""
-        at = self.initial
-        return Fraction(self.pair.energy((at.x1, at.v1, at.x2, at.v2)))
+        return Fraction(self.pair.energy(self.initial))
 
     @property
     def energy_excess(self) -> Fraction:

@@ -169,7 +169,7 @@ def _of_one_kind(given: Any) -> Any:
 
 def _numbers_in(scene: Scene) -> Any:
     """Return the SI numbers of a scene as floats, nan beyond their range."""
-    own = {"until": scene.until, **{name: getattr(scene.initial, name) for name in STATE}}
+    own = {"until": scene.until} | dict(zip(STATE, scene.initial, strict=True))
     return [near(own[name] if name in own else getattr(scene.pair, name)) for name in SI]
 
 

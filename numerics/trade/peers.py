@@ -126,7 +126,7 @@ class SwitchedPair:
         def rounded(*exact: SineForm) -> list[Any]:
             return [kind(one.enclosed(_BITS).str(40, radius=False)) for one in exact]
 
-        self.state, self.spans = rounded(*map(SineForm, (at.x1, at.v1, at.x2, at.v2))), list[Span]()
+        self.state, self.spans = rounded(*map(SineForm, at)), list[Span]()
         begin, belt = Fraction(0), SineForm(at.v2) if pair.is_fixed else SineForm()
         for piece in pieces_of(scene):
             jump = signal_form(piece, BELT, begin) - belt

@@ -145,7 +145,7 @@ class _Writer:
         self.spells, at = list(spells(scene)), scene.initial
         first, *self.later = self.spells
         with precision(most):
-            state = Box(*map(number, (Fraction(0), at.x1, at.v1, at.x2, at.v2)))
+            state = Box(*map(number, (Fraction(0), *at)))
             self.run = TheoremRun(scene.pair, first, 12 + most // 8, state, at.v1 == at.v2, _edge(scene, first))
         self.fresh, self.radius = self._size(), Fraction(0)
         self.close: TheoremRun | None = None
@@ -170,7 +170,7 @@ class _Writer:
         pair, at, table = self.scene.pair, self.scene.initial, ";\n  ".join(events)
         acting = [f"(Spell {_written(one.since, one.friction)} ({_steady(one.force)}))" for one in self.spells]
         return TEXT.format(
-            scene=_written(pair.m1, pair.m2, pair.a1, pair.a2, at.x1, at.v1, at.x2, at.v2),
+            scene=_written(pair.m1, pair.m2, pair.a1, pair.a2, *at),
             first=acting[0],
             later=_list(acting[1:]),
             events=f"[\n  {table}]" if table else "[]",
