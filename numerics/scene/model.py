@@ -340,13 +340,18 @@ WRT = ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1")
 """The initial state and the parameters of a free pair, in the order of the last axis of every array of derivatives."""
 
 
-def parameters(scene: Scene) -> dict[str, Fraction]:
+_MOST_PIECES = 100
+"""A signal of more pieces is a table of samples, which nobody varies one by one."""
+
+
+def parameters(scene: Scene, *, tables: bool = True) -> dict[str, Fraction]:
     """Return every number of a scene by its name, in the order of the last axis of all derivatives; exact.
 
     Those of `WRT` without m2 and v2 of a belt, and with b_static if it is given; under a force `until` too. Pieces and
     what is in them are counted from 0, as in Python: `force[0].from`, `force[0].polynomial[1]`,
     `force[0].sines[0].amplitude` (`omega`, `phase`), and likewise `force_2`, `belt`, `wall` and `friction`, whose
     constants are `friction[0].b`; `weakening.speed[0].w` (`b`), `weakening.place[0].z` (`c`), `weakening.last_slope`.
+    Without `tables` those of a signal of more than 100 pieces are left out.
     """
     pair = scene.pair
     found = {name: getattr(scene.initial if name in WRT[:4] else pair, name) for name in WRT}
@@ -358,7 +363,7 @@ def parameters(scene: Scene) -> dict[str, Fraction]:
         return found
     found["until"] = scene.until
     for name, pieces in scene.pieces.items():
-        for index, piece in enumerate(pieces):
+        for index, piece in enumerate(pieces if tables or len(pieces) <= _MOST_PIECES else ()):
             found |= _numbers_of(f"{name}[{index}]", piece)
     if scene.friction.weakening is not None:
         given = scene.friction.weakening

@@ -19,8 +19,6 @@ from numerics.trajectory.status import Status
 
 SI = ("m1", "m2", "a2", "b", "x1", "v1", "x2", "v2", "until", "a1")
 """The numbers of a scene, as the compiled engines take them (free/frame.py)."""
-_MOST_PIECES = 100
-"""A signal of more pieces is a table of samples, which nobody varies one by one."""
 
 
 def near(x: object) -> float:
@@ -53,9 +51,7 @@ def _numbers_of(scene: Scene | PlaneScene) -> dict[str, Fraction]:
             f"{name} {axis}": getattr(scene if name in STATE else scene.pair, name)[k] for (k, axis), name in places
         }
         return {"until": scene.until} | named
-    tables = tuple(f"{name}[" for name, some in scene.pieces.items() if len(some) > _MOST_PIECES)
-    found = parameters(scene) | {"until": scene.until}
-    return {name: one for name, one in found.items() if not name.startswith(tables)}
+    return parameters(scene, tables=False) | {"until": scene.until}
 
 
 def ended(run: Any) -> dict[str, Any]:

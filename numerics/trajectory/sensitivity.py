@@ -59,8 +59,6 @@ _GUARD_BITS = 64
 _TRIES = 6
 """So many times the precision is raised at most."""
 _TABLE_DIGITS = 6
-_MOST_PIECES = 100
-"""A signal of more pieces is a table: nobody asks for the derivatives by all of its samples."""
 
 
 @dataclass(frozen=True)
@@ -186,8 +184,7 @@ def _names(trajectory: Trajectory, wrt: Sequence[str] | None) -> tuple[str, ...]
     if not _takes_damper(scene):
         del known["a1"]
     if wrt is None:
-        tables = tuple(f"{name}[" for name, pieces in scene.pieces.items() if len(pieces) > _MOST_PIECES)
-        return tuple(name for name in known if not name.startswith(tables))
+        return tuple(name for name in parameters(scene, tables=False) if name in known)
     if isinstance(wrt, str) or not (names := tuple(wrt)):
         raise ValueError(f'wrt = {shown(wrt)} must be names of numbers of the scene, such as ["b", "m1"]')
     for name in names:
