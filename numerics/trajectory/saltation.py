@@ -204,11 +204,10 @@ class Chain:
         leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
         here, literal = leg.mode.piece, scene.law is Law.THREE_VALUED_SGN
         before = last.mode.piece if index else _in_front(here, scene)
-        begun = ((k, f"{name}.from", piece) for k, (name, piece) in enumerate(self._of(leg).signals))
-        names = {k: name for k, name, piece in begun if piece.start == here.start and name in self.column}
+        names = [f"{name}.from" for name, _ in self._of(leg).signals]
         alone = {}
-        for k in names:
-            if _jumps_at(before, here, k):
+        for k, name in enumerate(names):
+            if name in self.column and _jumps_at(before, here, k):
                 signals = [*here.signals[:k], before.signals[k].moved(here.start), *here.signals[k + 1 :]]
                 alone[k] = replace(here, signals=tuple(signals))
         if index and len(alone) > 1 and (leg.is_event or not (leg.side or literal or self._hold(alone, leg))):
