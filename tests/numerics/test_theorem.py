@@ -9,7 +9,6 @@ from scene_files import scenes_in
 from numerics import solve
 from numerics.trajectory.theorem import theorem
 
-
 SHORT = scenes_in("left-open")["friction-from-a-time-that-floats-do-not-hold"]
 """Its first spell is 0 s long in floats: there was no theorem of it, but a failure."""
 
