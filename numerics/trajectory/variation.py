@@ -124,6 +124,7 @@ class Variation:
         """Take the numbers of the scene."""
         piece, side, cells = mode.piece, mode.side, cells_of(scene)
         self.mode, self.column, self.is_weakened = mode, column, cells is not None
+        self.asked = {name.partition(".")[0] for name in column}
         self.norm = LocalNorm(self.mode, cells.pulling if cells else None)
         self.rows, kind = self.mode.rows, SLIP if side else STICK
         self.A = _balls(self.rows.A[kind])
@@ -157,7 +158,7 @@ class Variation:
         found[:FIRST] = y
         z, blocks = np.array(mode.begin(state, t)), mode.layout.blocks.tolist()
         for which, ((name, piece), block) in enumerate(zip(self.signals, blocks, strict=True)):
-            if which == FRICTION and self.is_weakened:
+            if (name or "b") not in self.asked or (which == FRICTION and self.is_weakened):
                 continue  # where friction depends on the state the lines of its cell have moved all rows
             sign = (mode.side or 1) if which == FRICTION else 1
             for key, first, by in _by_numbers(piece, block, z, t, sign):
