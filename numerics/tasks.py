@@ -1,10 +1,10 @@
-"""Independent tasks: in turn, or in processes by joblib; results come as they finish."""
+"""Independent tasks: in turn, or in processes by joblib."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from numerics.errors import MissingTool
 
@@ -15,8 +15,8 @@ def available_cores() -> int:
     return len(allowed(0)) if allowed else os.cpu_count() or 1
 
 
-Task = TypeVar("Task", bound=tuple[Any, ...])
-Result = TypeVar("Result", bound=tuple[Any, ...])
+Task = TypeVar("Task")
+Result = TypeVar("Result")
 
 
 def run_tasks(
@@ -26,10 +26,9 @@ def run_tasks(
     jobs: int = 1,
     progress: Callable[[int, int], None] | None = None,
 ) -> Iterator[Result]:
-    """Yield function(task) for every task, in any order; the same function in `jobs` processes as in one.
+    """Yield function(task) for every task, in their order; the same function in `jobs` processes as in one.
 
-    A task begins with its number, and so does what comes of it. `progress` takes how many are done, and of how many.
-    Raises MissingTool if joblib (jobs > 1) is not installed.
+    `progress` takes how many are done, and of how many. Raises MissingTool if joblib (jobs > 1) is not installed.
     """
     for done, result in enumerate(_in_processes(function, tasks, jobs) if jobs > 1 else map(function, tasks), start=1):
         yield result
@@ -42,5 +41,5 @@ def _in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], job
         from joblib import Parallel, delayed
     except ImportError:
         raise MissingTool("more than one job needs joblib: pip install 'inertial-pair[parallel]'") from None
-    workers = Parallel(n_jobs=jobs, return_as="generator_unordered", batch_size=1)
+    workers = Parallel(n_jobs=jobs, return_as="generator", batch_size=1)
     yield from workers(delayed(function)(task) for task in tasks)

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 from typing import Any
 
-from numerics.cli import commands, control, solving
+from numerics.cli import control, solving
 from numerics.exits import OneLineParser, Version, path, program_name
 from numerics.scene.decimals import MOST_DIGITS
 from numerics.trade.command import measure_trade
@@ -112,10 +112,10 @@ Command = tuple[str, Callable[[argparse.Namespace], int], str, tuple[Option | li
 """Its name, its function, its help, and its options; those in a list are mutually exclusive."""
 _COMMANDS: tuple[Command, ...] = (
     ("solve", solving.solve_scene, "solve one scene", (*_SOLVE, _OUTPUT)),
-    ("scenes", commands.list_scenes, "list the shipped scenes, one per line", ()),
+    ("scenes", solving.list_scenes, "list the shipped scenes, one per line", ()),
     (
         "energy",
-        commands.print_energy,
+        solving.print_energy,
         "the energy at one time, even a very late one, without computing every event before it",
         (
             _SCENE,

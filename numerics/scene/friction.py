@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
+from math import comb
 from typing import Any, TypeVar
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, listed, nonnegative, put, short, shown
 from numerics.scene.pieces import Piece, Signal, begun, require_order
-from numerics.scene.short_repr import ShortRepr
+from numerics.scene.short_repr import ShortRepr, record
 
 MAX_POINTS = 1000
+_DIGITS = 14
+"""To which the least value of b(t) is looked for, at whatever precision flint has."""
 _B = TypeVar("_B")
 _AT_REST = "that is the b of the pair; for more friction at rest give it b_static, for less begin at |w| = 1e-6"
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class Weakening(ShortRepr):
     """Friction in slip, F = sgn(w) (B(|w|) + C(z)), w = v1 - v2 (m/s), z = x1 - x2 (m); at rest at most B(0) + C(z).
 
@@ -59,7 +61,7 @@ class Weakening(ShortRepr):
         keep(self, last_slope=last_slope)
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class Friction(ShortRepr):
     """The friction force b(t) >= 0 (N) by pieces, in order; before the first one the pair's b. Exact.
 
@@ -141,3 +143,42 @@ def friction_pieces(given: Iterable[Any], read: Callable[[Any], _B]) -> tuple[tu
             raise error if len(pieces) == 1 else InvalidScene(f"friction from {short(at)} s on: {error}") from None
     require_order("friction", [start for start, _ in kept])
     return tuple(kept)
+
+
+def require_nonnegative(friction: Friction, until: Fraction) -> None:
+    """Raise InvalidScene, with a time and the value there, unless b(t) >= 0 is proved up to `until` (s).
+
+    Where the polynomial of a piece stays above the sum of the amplitudes, which b = 1 + sin t just does, that is exact.
+    """
+    for piece, end in zip(friction.pieces, (*friction.starts[1:], until), strict=False):
+        length = min(end, until) - piece.start
+        if length >= 0 and least_of(piece.polynomial, length) < sum(abs(one.amplitude) for one in piece.sines):
+            _prove_in_balls(piece, length)
+
+
+def least_of(polynomial: tuple[Fraction, ...], length: Fraction) -> Fraction:
+    """Return the least Bernstein coefficient of a polynomial on [0, length]: it is never less; exact."""
+    degree = len(polynomial) - 1
+    scaled = [c * length**k / comb(degree, k) for k, c in enumerate(polynomial)]
+    terms = (sum(comb(i, k) * c for k, c in enumerate(scaled[: i + 1])) for i in range(degree + 1))
+    return Fraction(min(terms, default=0))
+
+
+def _prove_in_balls(piece: Piece, length: Fraction) -> None:
+    """Prove it for some time from the start of a piece: what b falls short of a number above it is at most that."""
+    from numerics.scene.largest import ball, largest_size, over  # flint, which most scenes do not need
+
+    if piece.frequency:
+        length = min(length, 7 / piece.frequency)  # more than a period
+    above = sum((abs(c) * length**k for k, c in enumerate(piece.polynomial)), Fraction(0))
+    begin, most = ball(piece.start), ball(above + sum(abs(one.amplitude) for one in piece.sines))
+    b = over(piece)
+    short_of, at = largest_size(
+        lambda t, order: most * (not order) - b(t, order), begin, begin + ball(length), _DIGITS, most
+    )
+    if short_of <= most:
+        return
+    raise InvalidScene(
+        f"friction from t = {short(piece.start)} s: b(t) >= 0 is not proved at t = {float(at):.6g} s, where only b >= "
+        f"{float(most - short_of):.3g} N is known; raise its constant, or begin a piece where it touches 0"
+    )

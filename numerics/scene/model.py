@@ -7,18 +7,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field, fields
+from dataclasses import field, fields
 from enum import Enum
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, nonnegative, positive, put, short, shown
-from numerics.scene.friction import Friction
-from numerics.scene.nonnegative import require_nonnegative
+from numerics.scene.friction import Friction, require_nonnegative
 from numerics.scene.pieces import MAKERS, Piece, Signal
 from numerics.scene.replaced import replaced
-from numerics.scene.short_repr import ShortRepr
+from numerics.scene.short_repr import ShortRepr, record
 
 if TYPE_CHECKING:
     from numerics.scene.decimals import Quantity
@@ -37,7 +36,7 @@ class Law(Enum):
     """sgn(0) = 0 as in eqs (11)-(12): whenever v1 = v2 the pair sticks, whatever force that takes (Section IV)."""
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class Pair(ShortRepr):
     """The two bodies, their spring, damper and friction.
 
@@ -131,12 +130,14 @@ class Pair(ShortRepr):
         return (found if self.is_fixed else found + v2 * v2 * number(self.m2)) / 2
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class State(ShortRepr):
     """Positions x1, x2 (m) and velocities v1, v2 (m/s) of the two bodies, exact. Raises InvalidScene.
 
     >>> State(x1="1/200", v1=0.15), State(v2=1).x2
     (State(x1=0.005, v1=0.15), Fraction(0, 1))
+    >>> [*State(v1=2)]
+    [Fraction(0, 1), Fraction(2, 1), Fraction(0, 1), Fraction(0, 1)]
     """
 
     x1: Fraction
@@ -147,6 +148,10 @@ class State(ShortRepr):
     def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
         """Read every coordinate as an exact decimal."""
         keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
+
+    def __iter__(self) -> Iterator[Fraction]:
+        """Yield x1, v1, x2, v2."""
+        yield from (self.x1, self.v1, self.x2, self.v2)
 
 
 def _first(found: dict[str, Any]) -> str:
@@ -164,7 +169,7 @@ BUILD = "build Scene(Pair(...), State(...), until=...), or take load_scene(...)"
 NO_FORCE, SAME_FRICTION = Signal(), Friction()
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class Scene(ShortRepr):
     """A pair, its state at t = 0, the horizon `until` (s) > 0, the reading of sgn(0), friction, and what acts on it.
 
@@ -312,8 +317,7 @@ class Scene(ShortRepr):
     @property
     def energy(self) -> Fraction:
         """E at t = 0, J, exact."""
-        at = self.initial
-        return Fraction(self.pair.energy((at.x1, at.v1, at.x2, at.v2)))
+        return Fraction(self.pair.energy(self.initial))
 
     @property
     def energy_excess(self) -> Fraction:
@@ -336,13 +340,18 @@ WRT = ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1")
 """The initial state and the parameters of a free pair, in the order of the last axis of every array of derivatives."""
 
 
-def parameters(scene: Scene) -> dict[str, Fraction]:
+_MOST_PIECES = 100
+"""A signal of more pieces is a table of samples, which nobody varies one by one."""
+
+
+def parameters(scene: Scene, *, tables: bool = True) -> dict[str, Fraction]:
     """Return every number of a scene by its name, in the order of the last axis of all derivatives; exact.
 
     Those of `WRT` without m2 and v2 of a belt, and with b_static if it is given; under a force `until` too. Pieces and
     what is in them are counted from 0, as in Python: `force[0].from`, `force[0].polynomial[1]`,
     `force[0].sines[0].amplitude` (`omega`, `phase`), and likewise `force_2`, `belt`, `wall` and `friction`, whose
     constants are `friction[0].b`; `weakening.speed[0].w` (`b`), `weakening.place[0].z` (`c`), `weakening.last_slope`.
+    Without `tables` those of a signal of more than 100 pieces are left out.
     """
     pair = scene.pair
     found = {name: getattr(scene.initial if name in WRT[:4] else pair, name) for name in WRT}
@@ -354,7 +363,7 @@ def parameters(scene: Scene) -> dict[str, Fraction]:
         return found
     found["until"] = scene.until
     for name, pieces in scene.pieces.items():
-        for index, piece in enumerate(pieces):
+        for index, piece in enumerate(pieces if tables or len(pieces) <= _MOST_PIECES else ()):
             found |= _numbers_of(f"{name}[{index}]", piece)
     if scene.friction.weakening is not None:
         given = scene.friction.weakening

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise, zip_longest
 from typing import Any
@@ -23,7 +22,7 @@ from numerics.scene.decimals import (
     short,
     shown,
 )
-from numerics.scene.short_repr import ShortRepr
+from numerics.scene.short_repr import ShortRepr, record
 
 _DURATION, _RUN = "give a duration in seconds", "a run starts at t = 0"
 MAKERS = "Force.constant(3), Force.samples(t, u) and Force.sine(amplitude, omega) make a force"
@@ -31,7 +30,7 @@ MAX_COEFFICIENTS, MAX_SINES, MAX_PIECES = 64, 1000, 100_000
 """The first two in one piece; the last in one signal."""
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class Sine(ShortRepr):
     """amplitude sin(omega t + phase), rad/s > 0, rad; t (s) is counted from the start of the run. Exact.
 
@@ -51,7 +50,7 @@ class Sine(ShortRepr):
         put(self, omega=positive(omega, "omega", remedy))
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class Piece(ShortRepr):
     """A signal from `start` (s) until the next piece: sum_k polynomial[k] (t - start)^k plus the sines. Exact.
 
@@ -112,7 +111,7 @@ class Piece(ShortRepr):
         return Piece(start, shifted(self.polynomial, start - self.start), self.sines)
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class Signal(ShortRepr):
     """A function of time: pieces in order of their start (s), 0 before the first one. Exact. Raises InvalidScene.
 

@@ -8,7 +8,6 @@ on the axes x, y and, with three, the angle phi (rad; its m are moments of inert
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
@@ -22,7 +21,7 @@ from numerics.scene.friction import friction_pieces
 from numerics.scene.model import HORIZON, NO_FORCE
 from numerics.scene.pieces import Force, require_all
 from numerics.scene.replaced import replaced
-from numerics.scene.short_repr import ShortRepr
+from numerics.scene.short_repr import ShortRepr, record
 
 if TYPE_CHECKING:
     from numerics.scene.decimals import Exacts
@@ -33,7 +32,7 @@ Vector = tuple[Fraction, ...]
 Matrix = tuple[Vector, ...]
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class PlanePair(ShortRepr):
     """Two bodies on a surface, n = 2 or 3 axes: m1, m2, b > 0 (n,), a1 >= 0 and a2 > 0 symmetric (n, n). Exact.
 
@@ -106,7 +105,7 @@ class PlanePair(ShortRepr):
         return tuple(sorted({tuple(sorted(one)) for one in groups}))
 
 
-@dataclass(frozen=True, slots=True, init=False, repr=False)
+@record
 class PlaneScene(ShortRepr):
     """A pair on a surface, x1, v1, x2, v2 (n,) at t = 0, the horizon `until` (s), a force per axis, b by pieces. Exact.
 

@@ -3,18 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import fields
+from dataclasses import dataclass, field, fields
 from enum import Enum
 from fractions import Fraction
 from html import escape
 from inspect import signature
-from typing import Any
+from typing import Any, TypeVar, dataclass_transform
 
 from numerics.habits import Helpful
 from numerics.scene.decimals import decimal_text, short
 
 _LONGEST = 60
 """Characters of one value; tuples of more than four show two."""
+_Record = TypeVar("_Record")
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def record(kind: type[_Record]) -> type[_Record]:
+    """Return a class as a frozen dataclass, which may read its parts itself, with the repr that it inherits."""
+    return dataclass(frozen=True, slots=True, repr=False)(kind)
 
 
 class ShortRepr(Helpful):

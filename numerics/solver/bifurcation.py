@@ -15,7 +15,7 @@ from numerics.scene import Piece, Scene
 from numerics.scene.decimals import Exact, listed, positive, require_whole
 from numerics.scene.model import require_kind
 from numerics.solver.batch import Batch
-from numerics.solver.inputs import ended_by, inputs_of
+from numerics.solver.inputs import ended, inputs_of, together
 from numerics.solver.solve import solve
 from numerics.tasks import run_tasks
 from numerics.trajectory.columns import Floats
@@ -69,30 +69,24 @@ def bifurcation(
     for one in scenes:
         require_kind("bifurcation", one, Scene, "give a list of Scenes on a line")
     require_whole("jobs", jobs, 1)
-    tasks = [(k, scene, _times(scene, keep, period)) for k, scene in enumerate(scenes)]
+    tasks = [(scene, _times(scene, keep, period)) for scene in scenes]
     with meter("solving") as progress:
-        rows = dict(run_tasks(_points, tasks, jobs=jobs, progress=progress))
-    return Bifurcation((len(scenes),), _DRAWN, partial(inputs_of, scenes), partial(_answers, rows, tasks))
+        rows = [*run_tasks(_points, tasks, jobs=jobs, progress=progress)]
+    return Bifurcation((len(scenes),), _DRAWN, partial(inputs_of, scenes), partial(together, rows))
 
 
-def _points(task: tuple[int, Scene, Floats]) -> tuple[int, tuple[Any, ...]]:
-    """Return the number of a scene, how its run ended, and the states at some times."""
-    k, scene, times = task
-    nothing = np.full((4, len(times)), np.nan)
+def _points(task: tuple[Scene, Floats]) -> dict[str, Any]:
+    """Return the answers of a scene by their names: how its run ended, and the states at some times."""
+    scene, times = task
+    y = np.full((4, len(times)), np.nan)
     try:
         run = solve(scene)
-        reaches = run.reached or run.floats(run.end_time) >= times[-1]
-        y = run.floats(run.sol(times)) if reaches else nothing
-        return k, (run.status, run.message, len(run.events), run.right_digits, y)
+        found = ended(run) | {"digits": run.right_digits}
+        if run.reached or run.floats(run.end_time) >= times[-1]:
+            y = run.floats(run.sol(times))
     except NumericsError as error:
-        return k, (ended_by(error), str(error), 0, 0, nothing)
-
-
-def _answers(rows: dict[int, tuple[Any, ...]], tasks: Sequence[tuple[int, Scene, Floats]]) -> dict[str, Any]:
-    """Return the arrays of the answer by their names."""
-    *said, y = zip(*(rows[k] for k, *_ in tasks), strict=True)
-    named = dict(zip(("status", "message", "events", "digits"), map(np.array, said), strict=True))
-    return named | {"t": np.array([times for *_, times in tasks]), "y": np.moveaxis(np.array(y), 1, 0)}
+        found = ended(error) | {"digits": 0}
+    return found | {"t": times, "y": y}
 
 
 def _times(scene: Scene, keep: int, period: Exact | None) -> Floats:

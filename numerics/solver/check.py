@@ -9,8 +9,7 @@ from typing import Any
 from flint import arb
 
 from numerics.scene.model import require_kind
-from numerics.trajectory.checked import Check, Off
-from numerics.trajectory.comparison import as_ball, first_difference
+from numerics.trajectory.comparison import Check, Off, as_ball, first_difference
 from numerics.trajectory.export import AT_END, END_NAMES, bounds_at, in_balls, numbers_at
 from numerics.trajectory.trajectory import Trajectory
 from numerics.trajectory.units import unit

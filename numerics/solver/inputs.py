@@ -1,4 +1,4 @@
-"""The numbers of many scenes by their names: what a sweep varies."""
+"""The numbers of many scenes by their names: what a sweep varies. And what is read off single runs."""
 
 from __future__ import annotations
 
@@ -19,8 +19,6 @@ from numerics.trajectory.status import Status
 
 SI = ("m1", "m2", "a2", "b", "x1", "v1", "x2", "v2", "until", "a1")
 """The numbers of a scene, as the compiled engines take them (free/frame.py)."""
-_MOST_PIECES = 100
-"""A signal of more pieces is a table of samples, which nobody varies one by one."""
 
 
 def near(x: object) -> float:
@@ -53,16 +51,26 @@ def _numbers_of(scene: Scene | PlaneScene) -> dict[str, Fraction]:
             f"{name} {axis}": getattr(scene if name in STATE else scene.pair, name)[k] for (k, axis), name in places
         }
         return {"until": scene.until} | named
-    tables = tuple(f"{name}[" for name, some in scene.pieces.items() if len(some) > _MOST_PIECES)
-    found = parameters(scene) | {"until": scene.until}
-    return {name: one for name, one in found.items() if not name.startswith(tables)}
+    return parameters(scene, tables=False) | {"until": scene.until}
 
 
-def ended_by(error: NumericsError) -> Status:
-    """Return how a run of a batch ended that has no answer; a part of a box may have too many events."""
-    if isinstance(error, OutOfRange):
-        return Status.OUT_OF_RANGE
-    return Status.EVENT_LIMIT if isinstance(error, InvalidScene) else Status.SEQUENCE_OPEN
+def ended(run: Any) -> dict[str, Any]:
+    """Return how a run of a batch ended; of one without an answer, its error: a part of a box may have many events."""
+    if not isinstance(run, NumericsError):
+        return {"status": run.status, "message": run.message, "events": len(run.events)}
+    beyond = Status.EVENT_LIMIT if isinstance(run, InvalidScene) else Status.SEQUENCE_OPEN
+    status = Status.OUT_OF_RANGE if isinstance(run, OutOfRange) else beyond
+    return {"status": status, "message": str(run), "events": 0}
+
+
+def together(rows: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """Return what was read off each run as arrays by its names; those of states have x1, v1, x2, v2 in front."""
+    found = dict[str, Any]()
+    for name in rows[0] if rows else ():
+        axis = int(name.startswith(("y", "event_y")))
+        one = np.stack([np.asarray(row[name]) for row in rows], axis)
+        found[name] = one.astype(object) if one.dtype.kind == "U" else one  # texts are those of Python
+    return found
 
 
 def varying(inputs: dict[str, Floats]) -> dict[str, Floats]:

@@ -24,7 +24,6 @@ from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import Batch
 from numerics.solver.inputs import SI, inputs_of, near
-from numerics.solver.line_batch import DRAWN, Rows
 from numerics.solver.rows import Limits, Progress, Work
 from numerics.trajectory.columns import STATE, Array, room
 from numerics.trajectory.run import MAX_EVENTS
@@ -115,11 +114,9 @@ def solve_many(
     is_usual = not exact and flat[:, 2:4].all() and np.isfinite(flat[:, 1]).all()
     if not (is_usual and force is None and friction is None):
         return _one_by_one([*map(scene_of, range(len(flat)))], limits, progress, shape)
-    work = Work(scene_of, limits, flat, terms, law is Law.THREE_VALUED_SGN)
-    kept, ends = work.solved(len(flat), progress)
-    numbers = np.ascontiguousarray(flat[:, : len(SI)])
-    rows = Rows(numbers, ends, kept, shape, work.form_ledgers, np.False_)
-    return Batch(shape, DRAWN, arrays.copy, rows.answers, rows.taken)
+    numbers, literal = np.ascontiguousarray(flat[:, : len(SI)]), law is Law.THREE_VALUED_SGN
+    work = Work(scene_of, limits, shape, numbers, columns=flat, terms=terms, literal=literal)
+    return work.batch(arrays.copy, progress)
 
 
 def solve_scenes(
@@ -154,11 +151,9 @@ def solve_scenes(
 def _one_by_one(scenes: Sequence[Scene], limits: Limits, progress: Progress | None, shape: tuple[int, ...]) -> Batch:
     """Return the answers of scenes that are solved one after the other, in a shape."""
     numbers = np.array([_numbers_in(scene) for scene in scenes]).reshape(-1, len(SI))
-    work = Work(scenes.__getitem__, limits._replace(jobs=1))
-    kept, ends = work.solved(len(scenes), progress)
     walls = np.array([bool(one.wall.pieces) for one in scenes], dtype=bool).reshape(shape)
-    rows = Rows(numbers, ends, kept, shape, work.form_ledgers, walls)
-    return Batch(shape, DRAWN, partial(inputs_of, scenes, shape), rows.answers, rows.taken)
+    work = Work(scenes.__getitem__, limits._replace(jobs=1), shape, numbers, walls)
+    return work.batch(partial(inputs_of, scenes, shape), progress)
 
 
 def _of_one_kind(given: Any) -> Any:
@@ -174,7 +169,7 @@ def _of_one_kind(given: Any) -> Any:
 
 def _numbers_in(scene: Scene) -> Any:
     """Return the SI numbers of a scene as floats, nan beyond their range."""
-    own = {"until": scene.until, **{name: getattr(scene.initial, name) for name in STATE}}
+    own = {"until": scene.until} | dict(zip(STATE, scene.initial, strict=True))
     return [near(own[name] if name in own else getattr(scene.pair, name)) for name in SI]
 
 

@@ -1,32 +1,41 @@
-"""A chunk of a batch: every row of SI numbers to its end, by compiled code, or scene by scene."""
+"""Scenes on a line: chunk by chunk every one to its end, by compiled code or one by one, and what their rows answer."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from numerics.arithmetic.compiled import can_compile
+from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.precision import is_held
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.batch import follow_many
+from numerics.linear.errors_of import errors_of_rows
+from numerics.linear.ledger import TINY
 from numerics.linear.pieces import starts_of
-from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
+from numerics.linear.record import AT, BOUNDS, END_ROW, ROW, UNKNOWN, How
 from numerics.meter import meter
 from numerics.scene import Scene
+from numerics.solver.batch import Batch
 from numerics.solver.inputs import floats_of
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores
 from numerics.trajectory.columns import STATE, Counts, Floats, room
+from numerics.trajectory.digits import FEW_DIGITS, ROUNDING
 from numerics.trajectory.events import taken_in
+from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.run import run_scene
+from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
 _CHUNK = 128
 """Scenes in a chunk: what it takes to begin one does not show beside them, and an interruption waits for its end."""
+_DRAWN = ("dissipated", "energy_excess", "events", "mode", "digits", "t", *STATE)
+_SENTENCES = np.array([one.sentence for one in sorted(Status)], dtype=object)
 _TAKEN = AT["friction"]
 _FLOAT64 = Float64()
 
@@ -43,21 +52,34 @@ class Limits(NamedTuple):
 
 
 class Work(NamedTuple):
-    """The scenes of a batch, each by its number; where they are columns of binary numbers, these (linear/batch.py)."""
+    """The scenes of a batch, each by its place, with their SI numbers (n, 10), and the shape of all answers.
+
+    Where they are columns of binary numbers, these (linear/batch.py). `walls` says where a wall moves. Rows (record.py)
+    are of ends, and of start and first events; in these the time counts from the start of the run.
+    """
 
     scene_of: Callable[[int], Scene]
     limits: Limits
+    shape: tuple[int, ...]
+    numbers: Floats
+    walls: Any = np.False_
     columns: Floats | None = None
     terms: int = 0
     literal: bool = False
+
+    def batch(self, inputs: Callable[[], dict[str, Any]], progress: Progress | None) -> Batch:
+        """Solve all scenes; return what forms their answers when they are looked at."""
+        kept, ends = self.solved(progress)
+        return Batch(self.shape, _DRAWN, inputs, partial(self.answers, kept, ends), partial(self.taken, ends))
 
     def follow(self, rows: Any, has_ledger: bool, kept: Floats, ends: Floats) -> None:
         """Solve rows of columns by compiled code, if there is some."""
         if self.columns is not None and can_compile():
             follow_many(self.columns[rows], self.terms, self.literal, self.limits.max_events, has_ledger, kept, ends)
 
-    def solved(self, count: int, progress: Progress | None) -> tuple[Floats, Floats]:
+    def solved(self, progress: Progress | None) -> tuple[Floats, Floats]:
         """Return the rows of first events and those of ends; what compiled code leaves is solved one by one."""
+        count = len(self.numbers)
         what = f"{count} scenes with keep_events = {self.limits.keep_events}"
         kept, ends, done = room(what, count, self.limits.keep_events + 1, ROW), room(what, count, END_ROW), 0
         kept[:], ends[:] = np.nan, 0.0
@@ -93,6 +115,66 @@ class Work(NamedTuple):
         for row in _without_ledger(ends):
             run = run_scene(self.scene_of(int(row)), _FLOAT64, self.limits.max_events)
             ends[row, _TAKEN:] = taken_in(run, range(len(run.row_lengths)))
+
+    def taken(self, ends: Floats) -> Floats:
+        """Return what friction and viscosity took, J, and its bound, (2, *shape)."""
+        self.form_ledgers(ends)
+        friction, viscous, error, how = ends.T[[AT[name] for name in ("friction", "viscous", "ledger_error", "how")]]
+        found = np.where(how == How.OUT_OF_RANGE, np.nan, [friction + viscous, 2.0 * error + TINY])
+        return found.reshape(2, *self.shape)
+
+    def answers(self, kept: Floats, ends: Floats) -> dict[str, Any]:
+        """Return the arrays of a batch by their names, from the rows of first events and of ends."""
+        shape = self.shape
+        how = ends[:, AT["how"]].astype(np.int64).reshape(shape)
+        out, (m1, m2, a2, b, *_, until, _) = how == How.OUT_OF_RANGE, (one.reshape(shape) for one in self.numbers.T)
+
+        def end(*names: str) -> Floats:
+            return np.where(out, np.nan, ends.T[[AT[name] for name in names]].reshape(len(names), *shape))
+
+        def event(*names: str) -> Floats:
+            found = kept.T[[AT[name] for name in names], 1:].swapaxes(1, 2)
+            return found.reshape(len(names), *shape, kept.shape[1] - 1)
+
+        y, certain = end(*STATE), how < How.OUT_OF_RANGE
+        x1, v1, _, v2 = y
+        with np.errstate(all="ignore"):
+            excess_error, worst = np.reshape(compiled(errors_of_rows)(self.numbers, kept, ends, ROUNDING), (2, *shape))
+            right = np.clip(np.floor(-np.log10(np.maximum(worst, ROUNDING))), 0, MOST_DIGITS)
+            energy = a2 * x1**2 / 2 + m1 * v1**2 / 2 + np.where(np.isinf(m2), 0.0, m2 * v2**2 / 2)
+            excess = energy / ((b * (1 + m1 / m2)) ** 2 / (2 * a2)) - 1
+        digits = np.where(certain, right, 0).astype(np.int64)
+        status = np.where((how < How.EVENT_LIMIT) & (digits == 0), int(Status.NO_RIGHT_DIGIT), how)
+        status = np.where(how == How.DOUBT, int(Status.SEQUENCE_OPEN), status)
+        message, t = np.array(_SENTENCES[status], dtype=object), event("local")[0]
+        few = (status <= Status.STUCK_FOR_EVER) & (digits <= FEW_DIGITS)
+        message[few] = [
+            f"{one}; right digits: only {n}; use solve(scene, digits=N)"
+            for one, n in zip(message[few], digits[few], strict=True)
+        ]
+        return {
+            "status": status,
+            "message": message,
+            "events": whole(end("events")[0]),
+            "mode": whole(end("mode")[0]),
+            "t": np.where(how < How.EVENT_LIMIT, until, end("local")[0]),
+            "y": y,
+            "y_error": end(*BOUNDS[1:5]),
+            "digits": digits,
+            "certain": certain,
+            "energy_excess": np.where((a2 * b > 0) & ~self.walls, excess, np.nan),
+            "energy_excess_error": np.where(out | self.walls, np.nan, excess_error),
+            "event_t": t,
+            "event_y": event(*STATE),
+            "event_mode": whole(event("mode")[0]),
+            "event_t_error": event("late")[0] + 4 * ROUNDING * t,
+            "event_y_error": event(*BOUNDS[1:5]),
+        }
+
+
+def whole(numbers: Floats) -> Counts:
+    """Return whole numbers, 0 for nan."""
+    return np.nan_to_num(numbers).astype(np.int64)
 
 
 def _without_ledger(ends: Floats) -> Counts:
@@ -147,7 +229,7 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
     record, names, late = found.record, ("local", *STATE), AT["late"]
     knots = (*record.rows, record.end)
     table = np.zeros((len(knots), END_ROW))
-    table[:, : len(CODES)] = [one[: len(CODES)] for one in knots]
+    table[:, : AT["cell"]] = [one[: AT["cell"]] for one in knots]
     with found.context():
         near, off = floats_of([[getattr(one, name) for name in names] for one in knots])
         took, error = floats_of([found.ledger.friction, found.ledger.viscous, found.ledger.work])

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import partial
+from itertools import takewhile
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, Unpack, get_args, overload
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, exhausted, to_digits
@@ -35,8 +36,9 @@ _WORTH_A_TRY = 15
 _MOST_IN_BALLS = 10_000
 """With more events what float64 has stands, also without digits: balls would take minutes."""
 _FLOAT64 = Float64()
-_LADDER: tuple[Arithmetic, ...] = (_FLOAT64, Ball(34), Ball(68), Ball(136), Ball(560))
-"""What decides a sequence, and finds digits, in the order in which they are tried."""
+_MANY_DIGITS = 560
+_LADDER = (_FLOAT64, *map(Ball, (34, 68, 136, *(_MANY_DIGITS << k for k in range(11)))))
+"""What decides a sequence, and finds digits, in the order in which they are tried; the last ones have MOST_DIGITS."""
 _OF_A_SURFACE = 6, 2
 """Working digits beyond those that are wanted, and how often they are doubled, where a surface decides nothing."""
 
@@ -129,7 +131,8 @@ def solve(
     """
     if not isinstance(scene, PlaneScene):
         require_kind("solve", scene, Scene, BUILD)
-    require_arithmetic(arithmetic)
+    if arithmetic is not None:
+        require_one_of("arithmetic", arithmetic, get_args(ArithmeticName))
     if digits is not None or max_events is not MAX_EVENTS or max_digits is not MAX_DIGITS:
         require_digits(1 if digits is None else digits, max_digits, max_events=max_events)
         if digits is not None and arithmetic == "float64":
@@ -145,12 +148,6 @@ def solve(
     with meter("solving", progress, ticks=False) as line:
         found = _solve(scene, digits, arithmetic, Limits(max_events, max_digits, line))
     return found if t_eval is None else found.but(t_eval=t_eval)
-
-
-def require_arithmetic(name: Any) -> None:
-    """Raise ValueError for what names no arithmetic; None stands for the one that a scene needs."""
-    if name is not None:
-        require_one_of("arithmetic", name, get_args(ArithmeticName))
 
 
 def _solve(scene: Any, digits: int | None, arithmetic: str | None, limits: Limits) -> Any:
@@ -179,8 +176,8 @@ def _solve_surely(scene: Scene, limits: Limits) -> Trajectory:
     refused: NumericsError | None = None
     tried: list[str] = []
     places = [""]
-    for arithmetic in _ladder(limits):
-        if best is None and arithmetic.digits > _LADDER[-1].digits and places[-1] in places[-2:-1]:
+    for arithmetic in takewhile(limits.allow, _LADDER):
+        if best is None and arithmetic.digits > _MANY_DIGITS and places[-1] in places[-2:-1]:
             break  # what more digits have not led beyond is a tie; else they lead further
         if best is not None and best.record.events > _MOST_IN_BALLS:
             break
@@ -198,18 +195,6 @@ def _solve_surely(scene: Scene, limits: Limits) -> Trajectory:
     if best is None:
         raise refused or EventUndecided("which event comes next", "", 0)
     return best.but(tried="; ".join(tried))
-
-
-def _ladder(limits: Limits) -> Iterator[Arithmetic]:
-    """Yield what is tried one after the other, up to the cap on digits."""
-    for arithmetic in _LADDER:
-        if not limits.allow(arithmetic):
-            return
-        yield arithmetic
-    digits = 2 * _LADDER[-1].digits
-    while digits <= limits.digits:
-        yield Ball(digits)
-        digits *= 2
 
 
 def _solve_cheaply(scene: Scene, digits: int, limits: Limits) -> Trajectory:

@@ -91,9 +91,9 @@ def forward_euler(scene: Scene, step: float) -> EulerRun:
     steps = round(float(scene.until) / step) if step > 0 else 0
     if steps < 1:
         raise ValueError(f"step = {step:g} s must lie between 0 and the horizon {float(scene.until):g} s")
-    pair, at = scene.pair, scene.initial
+    pair = scene.pair
     y = np.empty((4, steps + 1))
-    y[:, 0] = [float(one) for one in (at.x1, at.v1, at.x2, at.v2)]
+    y[:, 0] = [*map(float, scene.initial)]
     t = np.linspace(0.0, step * steps, steps + 1)
     numbers = [float(one) for one in (pair.m1, pair.m2, pair.a1, pair.a2, pair.b)]
     compiled(march)(y, step, scene.law is Law.THREE_VALUED_SGN, *numbers)

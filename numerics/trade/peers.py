@@ -1,6 +1,6 @@
 """SciPy and heyoka on a scene, as their user writes it down: z' = A z of linear/model.py, from event to event.
 
-A run knows three modes: slip of either sign, until v1 - v2 falls to 0 in size, and stick, until the load meets an edge.
+An arc is a slip +, or as its mirror image a slip -, until v1 - v2 falls to 0, or a stick, until the load meets an edge.
 Every arc starts at time 0, lest its root is located to a fraction of the time since the start.
 
 SciPy looks at the signs of its guards at step ends. So a stick arc also stops where the load turns back: the lesser of
@@ -33,6 +33,8 @@ from numerics.trade.judge import Call, Run
 
 Row = list[tuple[int, Any]]
 """A linear function of z: places and coefficients, of the integrator's numbers: float or numpy.longdouble."""
+Vector = Any
+"""An array of such numbers."""
 Extra = Any
 """What a module of the extra `comparisons` makes; it is imported late and untyped."""
 MAX_ARCS = 300_000
@@ -59,14 +61,19 @@ def unknown(scene: Any) -> str | None:
 
 
 class Matrices(NamedTuple):
-    """What a pair, and number and frequencies of the terms of its signals, make of each mode: the sign of v1 - v2."""
+    """What a pair, and number and frequencies of the terms of its signals, make of stick [0] and of slip + [1].
 
-    rates: dict[int, Any]
+    A slip - is the mirror image of a slip +: all of z but friction has the opposite sign.
+    """
+
+    rates: list[Any]
     """A (n, n)."""
-    guards: dict[int, list[Row]]
-    """What falls to 0 at the event: |v1 - v2|; b_static - Lambda and b_static + Lambda."""
-    bends: dict[int, list[Row]]
+    guards: list[list[Row]]
+    """What falls to 0 at the event: b_static - Lambda and b_static + Lambda; v1 - v2."""
+    bends: list[list[Row]]
     """The first three derivatives of the first guard."""
+    mirror: Vector
+    """By what z is multiplied in a slip -, (n,)."""
 
     def after_contact(self, z: Sequence[Any]) -> int:
         """Return the mode after v1 = v2."""
@@ -85,17 +92,15 @@ def dot(row: Row, z: Sequence[Any]) -> Any:
 @cache
 def matrices(pair: Pair, layout: Layout, kind: type) -> Matrices:
     """Return the matrices of a pair under signals of a layout: formed exactly, and rounded once."""
-    rows, flip = exact_rows(pair, layout), np.ones(layout.size, dtype=int)
+    rows, found = exact_rows(pair, layout), Matrices([], [], [], -np.ones(layout.size, dtype=int))
     first, terms, sines, waves = layout.blocks[FRICTION]
-    flip[[*range(first, first + terms), *range(sines, sines + 2 * waves)]] = -1
+    found.mirror[[*range(first, first + terms), *range(sines, sines + 2 * waves)]] = 1
     rounded = np.vectorize(lambda c: kind(str(c.numerator)) / kind(str(c.denominator)), otypes=[kind])
-    found = Matrices({}, {}, {})
-    for mode, A in ((1, rows.A[SLIP]), (0, rows.A[STICK]), (-1, rows.A[SLIP] * flip * flip[:, None])):
-        guards = rows.guards[SLIP][:1] * mode if mode else rows.guards[STICK]
+    for A, guards in ((rows.A[STICK], rows.guards[STICK]), (rows.A[SLIP], rows.guards[SLIP][:1])):
         bends = [guards[0] @ A, guards[0] @ A @ A, guards[0] @ A @ A @ A]
         for own, some in ((found.guards, guards), (found.bends, bends)):
-            own[mode] = [[(k, kind(c)) for k, c in enumerate(row) if c] for row in rounded(np.array(some))]
-        found.rates[mode] = rounded(A)
+            own.append([[(k, kind(c)) for k, c in enumerate(row) if c] for row in rounded(np.array(some))])
+        found.rates.append(rounded(A))
     return found
 
 
@@ -121,7 +126,7 @@ class SwitchedPair:
         def rounded(*exact: SineForm) -> list[Any]:
             return [kind(one.enclosed(_BITS).str(40, radius=False)) for one in exact]
 
-        self.state, self.spans = rounded(*map(SineForm, (at.x1, at.v1, at.x2, at.v2))), list[Span]()
+        self.state, self.spans = rounded(*map(SineForm, at)), list[Span]()
         begin, belt = Fraction(0), SineForm(at.v2) if pair.is_fixed else SineForm()
         for piece in pieces_of(scene):
             jump = signal_form(piece, BELT, begin) - belt
@@ -134,12 +139,12 @@ class SwitchedPair:
         self.sizes = [length, length / self.quick] * 2
         """Of the state: what absolute tolerances are measured by."""
 
-    def first_step(self, own: Matrices, mode: int, z: Sequence[Any]) -> tuple[float, float]:
+    def first_step(self, own: Matrices, z: Sequence[Any]) -> tuple[float, float]:
         """Return a step off the surface that ends within the slip, and when v1 - v2 comes back by its series, s.
 
         It starts as c1 t + c2 t^2/2 + c3 t^3/6; where it leaves steeply that is not asked.
         """
-        c1, c2, c3 = (float(dot(row, z)) for row in own.bends[mode])
+        c1, c2, c3 = (float(dot(row, z)) for row in own.bends[1])
         inner = c2 * c2 / 4 - 2 * c1 * c3 / 3
         if c1 > abs(c2) * self.quick or not c3 < 0 <= inner:
             return self.quick, math.inf
@@ -147,9 +152,9 @@ class SwitchedPair:
         return min(back / 2, self.quick), back
 
 
-Arc = Callable[[Matrices, int, list[Any], Any], tuple[bool, Any, list[Any]]]
-"""An integrator of all modes: from matrices, mode, z and the time that is left (s), to whether it met its event, the
-time that has passed and z there. Raises PeerFailed."""
+Arc = Callable[[Matrices, bool, Vector, Any], tuple[bool, Any, Vector]]
+"""An integrator of stick and of slip +: from matrices, whether it slips, z and the time that is left (s), to whether it
+met its event, the time that has passed and z there. Raises PeerFailed."""
 
 
 def switched(integrator: Callable[[SwitchedPair, float], Arc], kind: type = float) -> Callable[[Scene, float], Call]:
@@ -182,8 +187,9 @@ def run(pair: SwitchedPair, arc: Arc) -> Run:
                 break
             if arcs > MAX_ARCS:
                 raise PeerFailed(f"{len(times)} events by t = {start + t:.9g} s in {arcs} arcs")
-            left = length - t
-            met, taken, z = arc(own, mode, z, left)
+            left, image = length - t, own.mirror if mode < 0 else 1
+            met, taken, z = arc(own, mode != 0, np.multiply(image, z), left)
+            z = image * z
             t = length if taken >= left else t + taken
             if met:
                 near, far = (dot(row, z) for row in own.guards[0])
@@ -196,25 +202,25 @@ def scipy_arcs(pair: SwitchedPair, rtol: float) -> Arc:
     """Return the arcs of a pair by DOP853; absolute tolerances are rtol times the pair's own sizes."""
     from scipy.integrate import solve_ivp
 
-    def arc(own: Matrices, mode: int, z: list[Any], left: float) -> tuple[bool, float, list[Any]]:
-        first = min(pair.first_step(own, mode, z)[0], left) if mode and z[V1] == z[V2] else None
+    def arc(own: Matrices, slips: bool, z: Vector, left: float) -> tuple[bool, float, Vector]:
+        first = min(pair.first_step(own, z)[0], left) if slips and z[V1] == z[V2] else None
         sizes, turn = [*pair.sizes, *[max(map(abs, z[FIRST:]))] * (len(z) - FIRST)], own.bends[0][0]
-        since, sign = 0.0, 0 if mode else np.sign(dot(turn, z))
+        since, sign = 0.0, 0 if slips else np.sign(dot(turn, z))
         how: Extra = {"method": "DOP853", "rtol": rtol, "atol": rtol * np.array(sizes)}
         while True:
 
             def guards(z: Extra, sign: int = sign) -> tuple[float, float]:
                 """Return what falls to 0 at the event, and where the load turns."""
                 turning = NOTHING + sign * dot(turn, z) if sign else math.inf
-                return min(dot(row, z) for row in own.guards[mode]), turning
+                return min(dot(row, z) for row in own.guards[slips]), turning
 
             def watched(_: float, z: Extra, guards: Any = guards) -> float:
                 return min(guards(z))
 
             watched.terminal, watched.direction = True, -1  # type: ignore[attr-defined]
             span = 0, left - since
-            found = solve_ivp(lambda _, z: own.rates[mode] @ z, span, z, events=watched, first_step=first, **how)
-            since, z = since + float(found.t[-1]), found.y[:, -1].tolist()
+            found = solve_ivp(lambda _, z: own.rates[slips] @ z, span, z, events=watched, first_step=first, **how)
+            since, z = since + float(found.t[-1]), found.y[:, -1]
             if found.status == -1:
                 raise PeerFailed(f"SciPy after {since:.9g} s: {found.message}")
             met, turning = guards(z)
@@ -231,23 +237,23 @@ def heyoka_arcs(pair: SwitchedPair, tol: float) -> Arc:
 
     zero, cut = pair.kind(0), int(hy.taylor_outcome.time_limit)
 
-    def compiled(own: Matrices, mode: int, *, has_events: bool = True) -> Extra:
+    def compiled(own: Matrices, slips: int, *, has_events: bool = True) -> Extra:
         z = [hy.expression(f"z{k}") for k in range(len(own.rates[0]))]
         options: Any = {"direction": hy.event_direction.negative, "fp_type": pair.kind}
-        events = [hy.t_event(dot(row, z), **options) for row in own.guards[mode] if has_events]
-        system = [(one, dot([*enumerate(row)], z)) for one, row in zip(z, own.rates[mode], strict=True)]
+        events = [hy.t_event(dot(row, z), **options) for row in own.guards[slips] if has_events]
+        system = [(one, dot([*enumerate(row)], z)) for one, row in zip(z, own.rates[slips], strict=True)]
         one = hy.taylor_adaptive(system, [zero] * len(z), tol=pair.kind(tol), t_events=events, fp_type=pair.kind)
         return one, one.state
 
-    made: dict[tuple[int, int], Extra] = {}
-    for own in {id(one.own): one.own for one in pair.spans}.values():
-        for mode in (-1, 0, 1):
-            made[id(own), mode] = compiled(own, mode), compiled(own, mode, has_events=False)
+    made = {
+        key: [(compiled(own, slips), compiled(own, slips, has_events=False)) for slips in (0, 1)]
+        for key, own in {id(one.own): one.own for one in pair.spans}.items()
+    }
 
-    def arc(own: Matrices, mode: int, z: list[Any], left: Any) -> tuple[bool, Any, list[Any]]:
-        ((one, state), (off, there)), since, length = made[id(own), mode], zero, zero
-        if mode and z[V1] == z[V2]:
-            step, back = pair.first_step(own, mode, z)
+    def arc(own: Matrices, slips: bool, z: Vector, left: Any) -> tuple[bool, Any, Vector]:
+        ((one, state), (off, there)), since, length = made[id(own)][slips], zero, zero
+        if slips and z[V1] == z[V2]:
+            step, back = pair.first_step(own, z)
             off.time, there[:] = zero, z
             off.step(min(left, pair.kind(step)))
             since, z = off.time, there
@@ -259,6 +265,6 @@ def heyoka_arcs(pair: SwitchedPair, tol: float) -> Arc:
             code = int(one.propagate_until(left)[0])
         if code <= FAILED and code != cut:
             raise PeerFailed(f"heyoka after {one.time:.9g} s: outcome {code}")
-        return code > FAILED, one.time, state.tolist() if pair.kind is float else list(state)
+        return code > FAILED, one.time, state
 
     return arc

@@ -15,7 +15,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 import flint
-from flint import arb, arb_poly
+from flint import acb, acb_poly, arb
 
 from numerics.arithmetic.ball import Ball, exact_middle, widened
 from numerics.arithmetic.precision import precision
@@ -34,7 +34,6 @@ PARTS = 1000
 SPARE = 1.25
 """Bounds of an event are wider than a box says: the kernel rounds elsewhere."""
 _NEWTON = 60
-_NONE = arb_poly([])
 number = Ball.number
 
 
@@ -66,37 +65,33 @@ class Steady(NamedTuple):
 
     def wave(self, t: arb) -> Wave:
         """Return it as a wave from a time on."""
-        parts = [Part(_polynomial(*self.polynomial), clock=t - number(self.since))]
+        parts = [Part(acb_poly([*map(number, self.polynomial)]), clock=t - number(self.since))]
         for in_sine, in_cosine, rise_sine, rise_cosine, turn, phase in self.tones:
-            sine, cosine = _polynomial(in_sine, rise_sine), _polynomial(in_cosine, rise_cosine)
-            parts.append(Part(cosine, sine, number(turn), number(phase), clock=t))
+            factor = [acb(number(c), -number(s)) for c, s in ((in_cosine, in_sine), (rise_cosine, rise_sine))]
+            parts.append(Part(acb_poly(factor), acb(0, number(turn)), number(phase), t))
         return Wave(parts)
 
 
 class Part(NamedTuple):
-    """exp(-decay s) (cosine(s) cos(turn s + phase) + sine(s) sin(turn s + phase)), s = clock + u."""
+    """The real part of factor(s) exp(rate s + i phase), s = clock + u."""
 
-    cosine: arb_poly
-    sine: arb_poly = _NONE
-    turn: arb = arb(0)
+    factor: acb_poly
+    rate: acb = acb(0)
     phase: arb = arb(0)
-    decay: arb = arb(0)
     clock: arb = arb(0)
 
     def __call__(self, u: arb) -> arb:
         """Return the value at u."""
         s = self.clock + u
-        angle = self.turn * s + self.phase
+        angle, factor = self.rate.imag * s + self.phase, self.factor(s)
         sine, cosine = angle.sin_cos()
         if angle.rad() < SHORT:  # as the kernel does
             sine, cosine = (widened(one, angle.rad()) for one in angle.mid().sin_cos())
-        return (-self.decay * s).exp() * (self.cosine(s) * cosine + self.sine(s) * sine)
+        return (self.rate.real * s).exp() * (factor.real * cosine - factor.imag * sine)
 
     def slope(self) -> Part:
         """Return the derivative."""
-        cosine = self.cosine.derivative() - self.decay * self.cosine + self.turn * self.sine
-        sine = self.sine.derivative() - self.decay * self.sine - self.turn * self.cosine
-        return self._replace(cosine=cosine, sine=sine)
+        return self._replace(factor=self.factor.derivative() + self.rate * self.factor)
 
 
 class Wave(list[Part]):
@@ -112,12 +107,7 @@ class Wave(list[Part]):
 
     def plus(self, k: int, *polynomial: arb) -> Wave:
         """Return a polynomial plus k times the wave."""
-        signed = (one._replace(cosine=k * one.cosine, sine=k * one.sine) for one in self)
-        return Wave([Part(arb_poly([*polynomial])), *signed])
-
-
-def _polynomial(*coefficients: Fraction) -> arb_poly:
-    return arb_poly([number(one) for one in coefficients])
+        return Wave([Part(acb_poly([*polynomial])), *(one._replace(factor=k * one.factor) for one in self)])
 
 
 class Spell(NamedTuple):
@@ -160,12 +150,12 @@ def _swing(pair: Pair, mass: Fraction, x: arb, v: arb) -> Iterator[Part]:
     decay, root = number(slow), number(abs(square)).sqrt()
     odd = v + decay * x
     if square > 0:
-        yield Part(arb_poly([x]), arb_poly([odd / root]), root, decay=decay)
+        yield Part(acb_poly([acb(x, -odd / root)]), acb(-decay, root))
     elif square == 0:
-        yield Part(arb_poly([x, odd]), decay=decay)
+        yield Part(acb_poly([x, odd]), acb(-decay))
     else:
         for k in (1, -1):
-            yield Part(arb_poly([(x + k * odd / root) / 2]), decay=decay - k * root)
+            yield Part(acb_poly([(x + k * odd / root) / 2]), acb(k * root - decay))
 
 
 class Box(NamedTuple):
@@ -231,9 +221,8 @@ class TheoremRun:
         if mode is not Mode.STICK and self.k not in (0, k):
             raise Unseen
         low, high = _bracket(time - self.time, guard)
-        keeps(guard, self._zeros(mode, k), low, self.signs)
-        if mode is Mode.STICK:
-            keeps(self.guard(mode, -k), self._zeros(mode, -k), high, self.signs)
+        for side in ends_of(mode):
+            keeps(self.guard(mode, side), self._zeros(mode, side), low if side == k else high, self.signs)
         self.at = self.moved(mode, number(low).union(number(high)), k)
         self.touches, self.k = True, k if mode is Mode.STICK else 0
         return low, high
@@ -336,4 +325,4 @@ def outward(box: arb, places: int) -> tuple[Fraction, Fraction]:
 
 def _places(size: arb) -> int:
     """Return how many decimal places a number of this size has in the present precision, and two more."""
-    return int(flint.ctx.prec * 0.301) + 2 - math.floor(math.log10(float(size.abs_upper())))
+    return int(flint.ctx.prec * 0.301) + 2 - math.floor(float(size.abs_upper().log_base(10).mid()))

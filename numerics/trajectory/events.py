@@ -8,7 +8,7 @@ residual.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -24,7 +24,7 @@ from numerics.linear.modes import EventKind, Mode
 from numerics.linear.record import NUMBERS, ROW, How, Record
 from numerics.linear.system import value
 from numerics.scene import Signal
-from numerics.scene.short_repr import ShortRepr
+from numerics.scene.short_repr import ShortRepr, record
 from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.flow import enclosed, taken
 from numerics.trajectory.rows import Rows
@@ -38,7 +38,7 @@ _ROUNDED = 2.0**-51
 """A sum of two floats, both rounded, is off by so much of its size."""
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@record
 class Event(ShortRepr):
     """A change of mode at the time t (s), from `before` to `after`, at y = (x1, v1, x2, v2) in SI units.
 
@@ -62,7 +62,7 @@ class Event(ShortRepr):
     cause: str = "guard"
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@record
 class Segment(ShortRepr):
     """One mode of motion from `start` to `end` (s); u and b may jump in it.
 
@@ -102,7 +102,7 @@ class Segment(ShortRepr):
         return friction, viscous
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@record
 class EnergyLedger(ShortRepr):
     """Where the energy went, J: initial - final against what friction and damper took and what acts put in.
 

@@ -30,13 +30,13 @@ from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
 from numerics.linear.cells import mode_in
 from numerics.linear.exact_start import exact_knots
-from numerics.linear.model import BELT, CONSTANT, DRIVEN, EDGE, FRICTION, LOAD, V1, V2, WALL, Bodies, add_signal
+from numerics.linear.model import BELT, CONSTANT, FIRST, FRICTION, V1, V2, WALL, X1, Bodies
 from numerics.linear.pieces import ExactPiece
-from numerics.linear.system import sparse, value
+from numerics.linear.system import value
 from numerics.linear.ties import derivatives, signal_form
 from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
-from numerics.trajectory.variation import SIGNALS, Leg, Variation, field
+from numerics.trajectory.variation import SIGNALS, Leg, Variation, driven, rates_in
 
 _radius = np.frompyfunc(lambda x: x.rad(), 1, 1)
 _middle = np.frompyfunc(lambda x: x.mid(), 1, 1)
@@ -59,16 +59,16 @@ class Shift(NamedTuple):
     """
 
     t: Array
-    off: Array
     before: Array
     behind: Array | None
+    off: Array | arb = arb(0)
 
 
 class Chain:
     """Derivatives along the legs of one trajectory; to be used in the balls' context.
 
-    `t`, `y`: of the times (p,) and of the states (4, p) of all events, which move; `starts`: what is carried into every
-    leg.
+    `events`: of the times (p,), of the states (4, p) and of the energies (p,) of all events, which move; `starts`: what
+    is carried into every leg.
     """
 
     def __init__(
@@ -78,28 +78,18 @@ class Chain:
         self.scene, self.legs = scene, legs
         self.column = {name: index for index, name in enumerate(names)}
         self.bodies, self.is_fixed = Bodies.of(scene.pair), scene.pair.is_fixed
-        self.variations = dict[int, Variation]()
         self.alike = dict[object, Variation]()
         """One for all pieces whose matrices are the same."""
-        self.begun = dict[Fraction, dict[int, str]]()
-        """At each time the signals of which a piece begins, and the names of these starts, as far as they count."""
-        for k, (name, pieces) in enumerate(scene.pieces.items()):
-            for n, one in enumerate(pieces):
-                if (start := f"{name}[{n}].from") in self.column:
-                    self.begun.setdefault(one.start, {})[k] = start
         self.norm = self._of(legs[0]).norm
-        self.t: list[Array] = []
-        self.y: list[Array] = []
+        self.events: list[tuple[Array, Array, Array]] = []
         y = self._zeros(4)
         for place, name in enumerate(STATE):
             if name in self.column:
                 y[place, self.column[name]] = arb(1)
-        y = self._driven(legs[0], y)
         if legs[0].side == 0:  # stuck neighbours share their momentum at once
             y[1] = y[3] = Ball.number(self.bodies.share_1) * y[1] + Ball.number(self.bodies.share_2) * y[3]
         zeros = self._zeros()
-        begun = self._across(0, CarriedDerivatives(y, zeros, zeros, zeros), self._by_jumps(0))
-        self.starts = [begun._replace(y=self._driven(legs[0], begun.y))]
+        self.starts = [self._across(0, CarriedDerivatives(y, zeros, zeros, zeros), self._by_jumps(0))]
         for index in range(len(legs) - 1):
             self.starts.append(self._crossed(index))
             if progress is not None and index % 64 == 0:
@@ -109,51 +99,45 @@ class Chain:
         """Return the derivatives of the state at a fixed time, tau (s) after the start of a leg, enclosed, (4, p)."""
         return self._enclosed(self._ahead(index, tau))
 
-    def final(self, state: Sequence[arb]) -> tuple[Array, Array]:
-        """Return the derivatives of the last state, whose value is given, (4, p), and those of its time."""
+    def final(self, state: Sequence[arb]) -> tuple[Array, Array, Array]:
+        """Return the derivatives of the end as those of an event; the last state is given."""
         last, t = self.legs[-1], self._zeros()
         if last.start is last.end:
-            return self.y[-1], self.t[-1]
+            return self.events[-1]
         if "until" in self.column:
             t[self.column["until"]] += 1
         y = self.at(len(self.legs) - 1, last.length)
-        return y + np.outer(field(self._of(last).mode, state, last.end), t), t
+        return self._moved(last, (last.end, state), t, y + np.outer(rates_in(last.mode, last.end, state), t))
 
-    def energy(self, leg: Leg, at: tuple[arb, Sequence[arb]], y: Array, t: Array) -> Array:
-        """Return the derivatives of the energy, J, (p,), from those of a state at a time in a leg, and of that time."""
-        (now, state), own = at, self._of(leg)
-        wall = np.zeros(own.mode.size, dtype=object)
-        add_signal(wall, own.mode.layout.blocks[WALL], 1)
-        place, by_wall = own.moving(wall, state, now, y, t)
-        parts = ("a2", state[0] - place, y[0] - by_wall), ("m1", state[1], y[1]), ("m2", state[3], y[3])
-        found = self._zeros()
-        for name, one, moved in parts[: 2 if self.is_fixed else 3]:
-            found = found + moved * (Ball.number(getattr(self.scene.pair, name)) * one)
+    def _moved(self, leg: Leg, at: tuple[arb, Sequence[arb]], t: Array, y: Array) -> tuple[Array, Array, Array]:
+        """Return the derivatives of a time (s) in a leg, of the state there, and of the energy, J, from the first two.
+
+        What the signals say of the state is taken from them.
+        """
+        (now, state), own, pair = at, self._of(leg), self.scene.pair
+        (z, moved), energy, signal = own.begun(state, now, y), self._zeros(), leg.mode.signal(WALL)
+        rates = own.A @ z
+        rates[:FIRST] = arb(0)  # the state has moved
+        moved[:FIRST] += np.outer(driven(leg.mode, rates)[:FIRST], t)
+        wall, by_wall, wall_rate = (value(signal, one) for one in (z, moved, rates))
+        stretched = z[X1] - wall, moved[X1] - (by_wall + wall_rate * t)
+        parts = {"a2": stretched, "m1": (z[V1], moved[V1]), "m2": (z[V2], moved[V2])}
+        for name in ("a2", "m1") if self.is_fixed else parts:
+            one, by = parts[name]
+            energy = energy + by * (Ball.number(getattr(pair, name)) * one)
             if name in self.column:
-                found[self.column[name]] += one * one / 2
-        return found
+                energy[self.column[name]] += one * one / 2
+        return t, moved[:FIRST], energy
 
     def _zeros(self, *rows: int) -> Array:
         return np.full((*rows, len(self.column)), arb(0))
 
     def _of(self, leg: Leg) -> Variation:
-        mode, key = leg.mode, id(leg.mode)  # the hash of a mode takes long
-        if key not in self.variations:
-            same = key if any(mode.layout.omegas) or mode.cell is not CONSTANT else (mode.layout, mode.side)
-            if same not in self.alike:
-                self.alike[same] = Variation(self.scene, self.column, mode, leg.cell)
-            self.variations[key] = self.alike[same].under(self.scene, mode)
-        return self.variations[key]
-
-    def _driven(self, leg: Leg, y: Array, t: Array | int = 0) -> Array:
-        """Return derivatives of a state where a leg starts, which moves by `t`, with those of the belt's velocity."""
-        if not self.is_fixed:
-            return y
-        own, found = self._of(leg), +y
-        _, found[3] = own.moving(own.rows.others[DRIVEN], leg.state, leg.start, y, t)
-        if not leg.side:
-            found[1] = found[3]
-        return found
+        mode = leg.mode  # its own hash takes long
+        same = id(mode) if any(mode.layout.omegas) or mode.cell is not CONSTANT else (mode.layout, mode.side)
+        if same not in self.alike:
+            self.alike[same] = Variation(self.scene, self.column, mode, leg.cell)
+        return self.alike[same].under(self.scene, mode)
 
     def _ahead(self, index: int, tau: arb) -> CarriedDerivatives:
         """Return the derivatives tau (s) after the start of a leg: of the point that is carried, and the bounds."""
@@ -185,8 +169,7 @@ class Chain:
             shifts = self._by_jumps(index + 1)
         else:
             shifts = iter([self._by_guard(leg, after, found)] if after.is_event else [])
-        found = self._across(index + 1, found, shifts)
-        return found._replace(y=self._driven(after, found.y))
+        return self._across(index + 1, found, shifts)
 
     def _across(self, index: int, found: CarriedDerivatives, shifts: Iterable[Shift]) -> CarriedDerivatives:
         """Return the derivatives at the start of a leg behind what moves in time; those of an event are kept."""
@@ -200,18 +183,17 @@ class Chain:
                 if not leg.begins_piece and self.legs[index - 1].side:  # a slip ends where both velocities are one
                     moving[1], y[1] = moving[3], found.y[3] + (one.before[3] - one.behind[1]) * one.t
         if leg.is_event:
-            self.t.append(t)
-            self.y.append(self._driven(leg, moving, t))
+            self.events.append(self._moved(leg, (leg.start, leg.state), t, moving))
         return self._pointed(found._replace(y=y))
 
     def _by_guard(self, leg: Leg, after: Leg, ended: CarriedDerivatives) -> Shift:
         """Return how an event by a guard moves."""
-        own, here = self._of(leg), (after.state, after.start)
-        by_state, moved, rate = own.guard(after.side, *here, ended.y)
+        own = self._of(leg)
+        by_state, moved, rate = own.guard(after.side, after.state, after.start, ended.y)
         off = ended.norm * own.norm.most(by_state.tolist()) + ended.place * abs(by_state[2])
         off = off + (ended.far * abs(by_state[0] + by_state[2]) if not own.norm.root_a2 > 0 else 0)
-        behind = field(self._of(after).mode, *here) if leg.side or self.bodies.static != 1 else None
-        return Shift(-moved / rate, off / abs(rate), field(own.mode, *here), behind)
+        behind = after.rates if leg.side or self.bodies.static != 1 else None
+        return Shift(-moved / rate, rates_in(leg.mode, after.start, after.state), behind, off / abs(rate))
 
     def _by_jumps(self, index: int) -> Iterator[Shift]:
         """Yield how each start at the beginning of a leg that begins a piece moves it.
@@ -220,12 +202,12 @@ class Chain:
         left out. Raises NotDifferentiable if the order of two jumps counts.
         """
         leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
-        here, at, literal = leg.mode.piece, (leg.start, leg.state), scene.law is Law.THREE_VALUED_SGN
+        here, literal = leg.mode.piece, scene.law is Law.THREE_VALUED_SGN
         before = last.mode.piece if index else _in_front(here, scene)
-        names = self.begun.get(here.start, {})
+        names = [f"{name}.from" for name, _ in self._of(leg).signals]
         alone = {}
-        for k in names:
-            if _jumps_at(before, here, k):
+        for k, name in enumerate(names):
+            if name in self.column and _jumps_at(before, here, k):
                 signals = [*here.signals[:k], before.signals[k].moved(here.start), *here.signals[k + 1 :]]
                 alone[k] = replace(here, signals=tuple(signals))
         if index and len(alone) > 1 and (leg.is_event or not (leg.side or literal or self._hold(alone, leg))):
@@ -238,7 +220,7 @@ class Chain:
             t = self._zeros()
             t[self.column[names[k]]] += 1
             if index:
-                yield Shift(t, self._zeros(), self._field(one, *at, last.side, last.cell), self._field_of(leg))
+                yield Shift(t, self._rates(leg, one, last.side, last.cell), leg.rates)
             else:
                 yield from self._begun_later(one, k, t)
 
@@ -248,48 +230,36 @@ class Chain:
         From v1 = v2 the bodies may part in that time, to the wrong side or from a stick: a slip back follows.
         """
         leg, t = self.legs[0], Fraction(0)
-        here, at = leg.mode.piece, (leg.start, leg.state)
+        here = leg.mode.piece
         before, begun = (exact_knots(self.scene, (one,))[0] for one in (piece, here))
         _, rates, *_ = derivatives(mode_in(self.scene, piece, before.mode, before.cell), t, before.state)
         moved = rates[V1] - rates[V2]
         if k == BELT:  # its polynomial begins late as well, its sines do not
             waves = replace(here.signals[BELT], polynomial=())
             moved = rates[V1] - signal_form(replace(here, signals=(*here.signals[:BELT], waves)), BELT, t, 1)
-        side, in_front = moved.sign(), self._field(piece, *at, before.mode, before.cell)
+        side, in_front = moved.sign(), self._rates(leg, piece, before.mode, before.cell)
         if begun.gap != 0 or side in (0, leg.side):
-            yield Shift(late, self._zeros(), in_front, self._field_of(leg))
+            yield Shift(late, in_front, leg.rates)
             return
-        back = self._field(here, *at, side, (0, leg.cell[1]))
+        back = self._rates(leg, here, side, (0, leg.cell[1]))
         rate = back[1] - back[3]
         if not rate * side < 0:
             begins = f"{SIGNALS[k]}[0] begins a little later"
             raise NotDifferentiable(
                 f"this scene has no derivatives: where {begins} the bodies part; change it slightly"
             )
-        yield Shift(late, self._zeros(), in_front, back)
-        yield Shift(late * (1 - moved.enclosed(flint.ctx.prec) / rate), self._zeros(), back, self._field_of(leg))
+        yield Shift(late, in_front, back)
+        yield Shift(late * (1 - moved.enclosed(flint.ctx.prec) / rate), back, leg.rates)
 
-    def _field_of(self, leg: Leg) -> Array:
-        """Return (x1, v1, x2, v2)' where a leg starts."""
-        return self._field(leg.mode.piece, leg.start, leg.state, leg.side, leg.cell)
-
-    def _field(self, piece: ExactPiece, t: arb, state: Sequence[arb], side: int, cell: tuple[int, int]) -> Array:
-        """Return (x1, v1, x2, v2)' of a state in a mode under a piece."""
-        mode, state = mode_in(self.scene, piece, side, cell), list(state)
-        if self.is_fixed:
-            state[3] = value(sparse(mode.rows.others[DRIVEN]), mode.begin(state, t))
-            state[1] = state[1] if side else state[3]
-        return field(mode, state, t)
+    def _rates(self, leg: Leg, piece: ExactPiece, side: int, cell: tuple[int, int]) -> Array:
+        """Return (x1, v1, x2, v2)' where a leg starts, but in a mode under another piece."""
+        mode = mode_in(self.scene, piece, side, cell)
+        return rates_in(mode, leg.start, driven(mode, mode.begin(leg.state, leg.start))[:FIRST])
 
     def _hold(self, pieces: dict[int, ExactPiece], leg: Leg) -> bool:
         """Return whether the load stays below the edge for sure under each of some pieces, where a leg starts."""
-        loads = []
-        for one in pieces.values():
-            mode = mode_in(self.scene, one, 0, (0, leg.cell[1]))
-            z, others = mode.begin(leg.state, leg.start), mode.rows.others
-            load, edge = (value(sparse(others[k]), z) for k in (LOAD, EDGE))
-            loads.append(bool(abs(load) < edge))
-        return all(loads)
+        modes = [mode_in(self.scene, one, 0, (0, leg.cell[1])) for one in pieces.values()]
+        return all(value(row, mode.begin(leg.state, leg.start)) > 0 for mode in modes for row in mode.guards)
 
 
 def _in_front(here: ExactPiece, scene: Scene) -> ExactPiece:

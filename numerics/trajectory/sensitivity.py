@@ -59,8 +59,6 @@ _GUARD_BITS = 64
 _TRIES = 6
 """So many times the precision is raised at most."""
 _TABLE_DIGITS = 6
-_MOST_PIECES = 100
-"""A signal of more pieces is a table: nobody asks for the derivatives by all of its samples."""
 
 
 @dataclass(frozen=True)
@@ -159,7 +157,7 @@ def sensitivities(
             found = balls.row_values(slopes, times, side)
         else:  # an event is where the trajectory has it, as rounded as that is
             found = slopes(own_rows, times - balls.row_times[own_rows])
-        return (np.array([*found.T.reshape(-1, 4, len(chain.column)), *chain.y]),)
+        return (np.array([*found.T.reshape(-1, 4, len(chain.column)), *(y for _, y, _ in chain.events)]),)
 
     rows = _enclosed(trajectory, at_times, names)[0][: asked.size]
     states = _as_numbers(trajectory.arithmetic, np.moveaxis(rows, 0, -1))
@@ -186,8 +184,7 @@ def _names(trajectory: Trajectory, wrt: Sequence[str] | None) -> tuple[str, ...]
     if not _takes_damper(scene):
         del known["a1"]
     if wrt is None:
-        tables = tuple(f"{name}[" for name, pieces in scene.pieces.items() if len(pieces) > _MOST_PIECES)
-        return tuple(name for name in known if not name.startswith(tables))
+        return tuple(name for name in parameters(scene, tables=False) if name in known)
     if isinstance(wrt, str) or not (names := tuple(wrt)):
         raise ValueError(f'wrt = {shown(wrt)} must be names of numbers of the scene, such as ["b", "m1"]')
     for name in names:
@@ -217,17 +214,10 @@ def enclosures(trajectory: Trajectory, names: tuple[str, ...] | None = None) -> 
     names = names or _names(trajectory, None)
 
     def of_events(balls: Trajectory, chain: Chain) -> tuple[Array, ...]:
-        events = ((leg, (leg.start, leg.state)) for leg in chain.legs if leg.is_event)
-        last, t = chain.final(balls.final_state)
-        energies = [
-            *(chain.energy(*one, y, t) for one, y, t in zip(events, chain.y, chain.t, strict=True)),
-            chain.energy(chain.legs[-1], (balls.end_time, balls.final_state), last, t),
-        ]
-        times = np.array(chain.t, dtype=object).reshape(-1, len(chain.column))
-        return times, np.array([*chain.y, last]), np.array(energies)
+        return tuple(map(np.array, zip(*chain.events, chain.final(balls.final_state), strict=True)))
 
     times, states, energies = _enclosed(trajectory, of_events, names)
-    return Sensitivity(names, times, states[:-1], states[-1], energies[-1])
+    return Sensitivity(names, times[:-1], states[:-1], states[-1], energies[-1])
 
 
 def _enclosed(

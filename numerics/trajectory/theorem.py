@@ -22,7 +22,6 @@ from numerics.arithmetic.ball import exact_middle, widened
 from numerics.arithmetic.precision import precision
 from numerics.errors import NoProof
 from numerics.linear.modes import Mode
-from numerics.linear.pieces import polynomial_at
 from numerics.scene import Law, Scene
 from numerics.scene.decimals import decimal_text
 from numerics.scene.model import PLAIN
@@ -129,8 +128,8 @@ def _edge(scene: Scene, spell: Spell) -> int:
     pair, at, force = scene.pair, scene.initial, spell.force
     if at.v1 != at.v2 or any(one.phase for one in force.tones):
         return 0
-    pushed = polynomial_at(force.polynomial, -force.since) + sum(one.in_cosine for one in force.tones)
-    load, edge = pair.m2 * (pair.a2 * at.x1 + pair.a1 * at.v1 - pushed), spell.friction * pair.mass
+    load = pair.m2 * (pair.a2 * at.x1 + pair.a1 * at.v1 - sum(force.polynomial[:1]))
+    edge = spell.friction * pair.mass
     return {-edge: 1, edge: -1}.get(load, 0)
 
 
@@ -146,7 +145,7 @@ class _Writer:
         self.spells, at = list(spells(scene)), scene.initial
         first, *self.later = self.spells
         with precision(most):
-            state = Box(*map(number, (Fraction(0), at.x1, at.v1, at.x2, at.v2)))
+            state = Box(*map(number, (Fraction(0), *at)))
             self.run = TheoremRun(scene.pair, first, 12 + most // 8, state, at.v1 == at.v2, _edge(scene, first))
         self.fresh, self.radius = self._size(), Fraction(0)
         self.close: TheoremRun | None = None
@@ -156,24 +155,22 @@ class _Writer:
         """Return the file; the last of the times is the end."""
         events, last = [], trajectory.final_mode
         for event, time in zip(trajectory.events, times, strict=False):
-            jump, since = event.cause == "jump", [one.since for one in self.later]
-            # the float of a jump's time may lie in front of it
-            self._pass(min(since, key=lambda one: abs(one - time)) if jump else time, event.before, jump=jump)
-            if jump:
-                self._rest(event.before, self.later[0].since, "Rest {bits} {until} {least} Breaks")
-                self.run.spell = self.later.pop(0)
+            since = [one.since for one in self.later]
+            if event.cause == "jump":  # the float of its time may lie in front of it
+                self._pass(event.before, 1 + min(range(len(since)), key=lambda k: abs(since[k] - time)), "Breaks")
             else:
+                self._pass(event.before, sum(one <= time for one in since))
                 self._hit(event.before, event.before.sign or event.after.sign, time)
             t, x1, v1, x2, _ = self.run.at
             events.append(f"Event {_written(event.before)} {self._bounds((t, x1, x2, v1), 'txxv')}")
-        self._pass(math.inf, last, jump=False)
+        self._pass(last, len(self.later))
         relative = self._rest(last, self.scene.until, "Last {bits} {least}")
         ends = self._bounds((*self.run.at[1:], relative), "xvxvv")
         ever = trajectory.status is Status.STUCK_FOR_EVER and self._for_ever()
         pair, at, table = self.scene.pair, self.scene.initial, ";\n  ".join(events)
         acting = [f"(Spell {_written(one.since, one.friction)} ({_steady(one.force)}))" for one in self.spells]
         return TEXT.format(
-            scene=_written(pair.m1, pair.m2, pair.a1, pair.a2, at.x1, at.v1, at.x2, at.v2),
+            scene=_written(pair.m1, pair.m2, pair.a1, pair.a2, *at),
             first=acting[0],
             later=_list(acting[1:]),
             events=f"[\n  {table}]" if table else "[]",
@@ -185,11 +182,11 @@ class _Writer:
             depth=DEPTH,
         )
 
-    def _pass(self, time: float | Fraction, mode: Mode, *, jump: bool) -> None:
-        """Go through the spells that end before a time; if there is a jump, the one that ends with it stays."""
-        ending = [one for one in self.later if one.since <= time]
-        for one in ending[: len(ending) - jump]:
-            self._rest(mode, one.since, "Rest {bits} {until} {least} Goes")
+    def _pass(self, mode: Mode, count: int, at_last: str = "Goes") -> None:
+        """Go on in a mode to the end of so many spells; what is said of the last may be that a stick breaks there."""
+        for left in reversed(range(count)):
+            which = "Goes" if left else at_last
+            self._rest(mode, self.later[0].since, f"Rest {{bits}} {{until}} {{least}} {which}")
             self.run.spell = self.later.pop(0)
 
     def _size(self) -> float:

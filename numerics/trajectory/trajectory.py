@@ -14,8 +14,8 @@ from numerics.arithmetic.protocol import Number
 from numerics.linear.errors_of import JUDGED
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.record import How, Knot, Record
-from numerics.trajectory.checked import Check
 from numerics.trajectory.columns import Array, Counts
+from numerics.trajectory.comparison import Check
 from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
 from numerics.trajectory.in_units import Reduced

@@ -15,7 +15,6 @@ from collections.abc import Iterator, Sequence
 from copy import copy
 from fractions import Fraction
 from functools import lru_cache
-from itertools import pairwise
 from math import inf, perm
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -27,12 +26,14 @@ from flint import arb, arb_mat, fmpq_series
 from numerics.arithmetic.ball import Ball, Parts, ball_of, magnitude_bits, parts_of
 from numerics.arithmetic.precision import precision
 from numerics.linear.cells import cells_of, series
-from numerics.linear.flow import motion_in
 from numerics.linear.model import (
+    DRIVEN,
     FIRST,
     FRICTION,
     SLIP,
     STICK,
+    V1,
+    V2,
     Bodies,
     Cell,
     Layout,
@@ -41,8 +42,7 @@ from numerics.linear.model import (
     put_rows,
     spread_omegas,
 )
-from numerics.linear.record import Knot
-from numerics.linear.system import LinearMode, LocalNorm
+from numerics.linear.system import LinearMode, LocalNorm, matrix, sparse, value
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.flow import BITS_PER_SQUARING
@@ -51,6 +51,8 @@ from numerics.trajectory.trajectory import Trajectory
 SIGNALS = ("force", "force_2", "belt", "wall", "friction")
 _OF_A_PAIR = ("m1", "m2", "a1", "a2", "b", "b_static")
 _NOTHING = Piece(0)
+_FIXED = Cell(0, 0, 0)
+"""The derivative of a line of friction that does not move."""
 _balls = np.frompyfunc(Ball.number, 1, 1)
 _slopes = np.frompyfunc(lambda x: x[1] if isinstance(x, fmpq_series) else 0, 1, 1)
 
@@ -77,14 +79,18 @@ class Leg(NamedTuple):
         """Return the sign of v1 - v2, 0 in stick."""
         return self.mode.side
 
+    @property
+    def rates(self) -> Array:
+        """Return (x1, v1, x2, v2)' at its start."""
+        return rates_in(self.mode, self.start, self.state)
+
 
 def legs(trajectory: Trajectory) -> list[Leg]:
     """Return the legs up to the horizon; else up to the event at which the run was cut off, and one of length 0."""
-    knots: list[Knot] = trajectory.record.rows
+    knots, begins = trajectory.record.rows, np.diff(trajectory.row_pieces, prepend=-1) != 0
     starts, lengths = trajectory.row_times.tolist(), [*trajectory.row_lengths.tolist(), arb(0)]
     with trajectory.arithmetic.context():  # a time is known, whatever a box of starts is
         last = Ball.number(trajectory.scene.until) if trajectory.reached else starts[-1]
-    begins = [True, *(one.piece != two.piece for one, two in pairwise(knots))]
     return [
         Leg(
             trajectory.row_mode(k), start, end, lengths[k], (one.x1, one.v1, one.x2, one.v2), one.event, first, one.cell
@@ -93,10 +99,19 @@ def legs(trajectory: Trajectory) -> list[Leg]:
     ]
 
 
-def field(mode: LinearMode, state: Sequence[arb], t: arb) -> Array:
-    """Return (x1, v1, x2, v2)' of a state at a time, s."""
-    motion = motion_in(mode, state, t)
-    return np.array((motion.flow.A * motion.column).entries()[:FIRST])
+def rates_in(mode: LinearMode, t: arb, state: Sequence[arb]) -> Array:
+    """Return (x1, v1, x2, v2)' of a state at a time (s) in a mode."""
+    z = arb_mat(mode.size, 1, mode.begin(state, t))
+    return np.array((matrix(mode.generator()[:FIRST]) * z).entries())
+
+
+def driven(mode: LinearMode, z: Any) -> Any:
+    """Return z, or derivatives of it, with the velocity that a belt gives body 2, and in stick body 1 too."""
+    if mode.pair.is_fixed:
+        z[V2] = value(sparse(mode.rows.others[DRIVEN]), z)
+        if not mode.side:
+            z[V1] = z[V2]
+    return z
 
 
 class Variation:
@@ -108,7 +123,7 @@ class Variation:
     def __init__(self, scene: Scene, column: dict[str, int], mode: LinearMode, cell: tuple[int, int]) -> None:
         """Take the numbers of the scene."""
         piece, side, cells = mode.piece, mode.side, cells_of(scene)
-        self.mode, self.column, self.side, self.is_weakened = mode, column, side, cells is not None
+        self.mode, self.column, self.is_weakened = mode, column, cells is not None
         self.asked = {name.partition(".")[0] for name in column}
         self.norm = LocalNorm(self.mode, cells.pulling if cells else None)
         self.rows, kind = self.mode.rows, SLIP if side else STICK
@@ -117,19 +132,16 @@ class Variation:
         b = f"{self.signals[FRICTION][0]}.b" if self.signals[FRICTION][0] else "b"
         lines = cells.by_numbers(piece, side or 1, cell, b) if cells else {}
         pair, layout, line = self.mode.pair, self.mode.layout, self.mode.cell
-        omegas = {
-            f"{name}.sines[{k}].omega": first + 2 * k + 1
-            for (name, _), (_, _, first, waves) in zip(self.signals, layout.blocks.tolist(), strict=True)
-            for k in range(waves)
-        }
-        self.moved: dict[str, Rows] = {}
+        moving: dict[str, tuple[int, Any]] = dict.fromkeys(_OF_A_PAIR, (-1, _FIXED))
+        for (name, _), (_, _, first, waves) in zip(self.signals, layout.blocks.tolist(), strict=True):
+            moving |= {f"{name}.sines[{k}].omega": (first + 2 * k + 1, _FIXED) for k in range(waves)}
+        moving |= {name: (-1, one) for name, one in lines.items()}
+        names = [name for name in column if name in moving]
+        self.moved = {name: _moved_rows(pair, layout, line, name, *moving[name]) for name in names}
         """The derivatives of the matrices by the numbers on which they may depend."""
         alike: dict[tuple[Any, ...], list[int]] = {}
-        for name, place in column.items():
-            if name in _OF_A_PAIR or name in omegas or name in lines:
-                moved = _moved_rows(pair, layout, line, name, omegas.get(name, -1), lines.get(name, (0, 0, 0)))
-                self.moved[name] = moved
-                alike.setdefault(tuple(moved.A[kind].flat), []).append(place)
+        for name, moved in self.moved.items():
+            alike.setdefault(tuple(moved.A[kind].flat), []).append(column[name])
         self.inputs = [(_balls(np.reshape(A, self.A.shape)), places) for A, places in alike.items() if any(A)]
         """The A_p that are not 0, with the places of p: in stick both masses have one."""
         self.flow = lru_cache(maxsize=64)(self._flow)
@@ -140,24 +152,19 @@ class Variation:
         found.mode, found.signals = mode, _acting(scene, mode.piece.start)
         return found
 
-    def begun(self, state: Sequence[arb], t: arb, y: Array) -> tuple[Array, Array]:
+    def begun(self, state: Sequence[arb], t: arb, y: Array) -> tuple[Any, Any]:
         """Return z, and its derivatives (n, p) from those of the state (4, p), at a time (s)."""
-        z, found = np.array(self.mode.begin(state, t)), np.full((self.mode.size, y.shape[1]), arb(0))
+        mode, found = self.mode, np.full((self.mode.size, y.shape[1]), arb(0))
         found[:FIRST] = y
-        blocks = self.mode.layout.blocks.tolist()
+        z, blocks = np.array(mode.begin(state, t)), mode.layout.blocks.tolist()
         for which, ((name, piece), block) in enumerate(zip(self.signals, blocks, strict=True)):
             if (name or "b") not in self.asked or (which == FRICTION and self.is_weakened):
                 continue  # where friction depends on the state the lines of its cell have moved all rows
-            sign = (self.side or 1) if which == FRICTION else 1
+            sign = (mode.side or 1) if which == FRICTION else 1
             for key, first, by in _by_numbers(piece, block, z, t, sign):
                 if (place := self.column.get(f"{name}.{key}".removeprefix("."))) is not None:
                     found[first : first + len(by), place] += by
-        return z, found
-
-    def moving(self, row: Array, state: Sequence[arb], t: arb, y: Array, late: Array | int) -> tuple[arb, Array]:
-        """Return an exact row of z at a time (s), and its derivatives where that moves by `late`."""
-        (z, moved), here = self.begun(state, t, y), _balls(row)
-        return here @ z, here @ moved + here @ (self.A @ z) * late
+        return z, driven(mode, found)
 
     def over(self, state: Sequence[arb], t: arb, tau: arb, y: Array) -> Array:
         """Return the derivatives of the state tau (s) after the start of a motion, from those at its start, (4, p)."""
@@ -186,7 +193,7 @@ class Variation:
         The derivatives are at a fixed time. The guard of a slip is v1 - v2, of a stick which ends in the slip of a sign
         the edge less that times the load.
         """
-        place = (SLIP, 0) if self.side else (STICK, 0 if exit_side > 0 else 1)
+        place = (SLIP, 0) if self.mode.side else (STICK, 0 if exit_side > 0 else 1)
         z, moved = self.begun(state, t, y)
         here = _balls(self.rows.guards[place])
         by = here @ moved

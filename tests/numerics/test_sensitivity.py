@@ -161,6 +161,10 @@ def test_what_begins_at_the_start_may_begin_later(scene):
             assert deviation(base, {name: Fraction(1)}, (1,)).size < 1e-30  # of second order, where friction holds
 
 
+def test_a_body_that_sticks_to_a_belt_goes_with_it_by_every_number():
+    assert compared(FROM_THE_START["it goes with the belt"]).size < 1e-50
+
+
 def test_what_friction_read_literally_would_not_bring_back_has_no_derivative():
     """A belt that begins late leaves the stick behind, which no friction b could hold."""
     scene = Scene(ON_GROUND, State(x1=1), 1, "three-valued-sgn", belt=Force.sine(1, 2))

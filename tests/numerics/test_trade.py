@@ -207,4 +207,4 @@ def test_a_short_stay_beyond_the_edge_is_not_stepped_over(name, scene):
 def test_what_does_not_get_on_is_stopped(monkeypatch):
     monkeypatch.setattr(peers, "MAX_ARCS", 5)
     with pytest.raises(PeerFailed, match="in 6 arcs"):
-        peers.run(SwitchedPair(SCENE), lambda own, slip, y, left: (True, 0.0, [1.0, 1.0, 0.0, 0.1, 0.0, 0.0, 0.5]))
+        peers.run(SwitchedPair(SCENE), lambda own, slips, z, left: (True, 0.0, [1.0, 1.0, 0.0, 0.1, 0.5]))

@@ -27,7 +27,8 @@ EVERYTHING = FORCED.replace(
     friction=Friction([("0.28", "0.4")]),
 )
 """It crosses v1 = v2, sticks, is torn loose by a jump whose float lies before it, and at last sticks for ever."""
-SCENES, EVER = scenes_in("proved"), scenes_in("proved-for-ever")
+SHORT = scenes_in("left-open")["friction-from-a-time-that-floats-do-not-hold"].replace(until="0.2")
+SCENES, EVER = scenes_in("proved") | {"a spell of 1e-400 s": SHORT}, scenes_in("proved-for-ever")
 
 
 def at_speed(speed, until):
