@@ -23,7 +23,7 @@ FIGURES = (".svg", ".pdf", ".png")
 
 def refuse(message: str, code: int) -> int:
     """Print one error line on stderr and return the exit code; a remedy names the flag, not the argument in Python."""
-    said = re.sub(r"\bmax_(digits|events|steps)\b", r"--max-\1", " ".join(message.split()))
+    said = re.sub(r"(?<!-)\bmax_(digits|events|steps)\b", r"--max-\1", " ".join(message.split()))
     said = re.sub(r'\b(arithmetic|least)="(.+?)"', r"--\1 \2", said)
     said = said.replace("give amplitude and omega", "give --amplitude and --omega").replace("digits=N", "--digits N")
     print(f"error: {said}", file=sys.stderr)

@@ -152,7 +152,7 @@ def require_nonnegative(friction: Friction, until: Fraction) -> None:
     """
     for piece, end in zip(friction.pieces, (*friction.starts[1:], until), strict=False):
         length = min(end, until) - piece.start
-        if length >= 0 and least_of(piece.polynomial, length) < sum(abs(one.amplitude) for one in piece.sines):
+        if length > 0 and least_of(piece.polynomial, length) < sum(abs(one.amplitude) for one in piece.sines):
             _prove_in_balls(piece, length)
 
 

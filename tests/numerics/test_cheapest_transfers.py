@@ -1,6 +1,7 @@
 """Transfers of the least int u^2 dt or max |u|: against the independent reference, and programs over sampled forces."""
 
 from contextlib import suppress
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
@@ -12,6 +13,8 @@ from scipy.optimize import linprog, lsq_linear
 
 from numerics import NotSettled, Pair, Scene, State, cheapest_transfer
 from numerics.arithmetic.ball import Ball
+from numerics.control import transfer
+from numerics.control.answers import solved_again
 from numerics.control.optimal import LeastEnergy, LeastPeak
 
 
@@ -174,4 +177,14 @@ def test_the_cost_is_that_of_the_decimals_of_the_force_to_all_digits_asked_for()
 def test_a_bound_that_is_not_close_is_not_given(monkeypatch):
     monkeypatch.setattr(LeastEnergy, "bound", lambda *_: (Ball.number(1), Ball.number(1 - Fraction(1, 10**9))))
     with pytest.raises(NotSettled, match="no cheapest force was found"):
+        planned(FREE, "0.001", "0.2")
+
+
+@pytest.mark.parametrize("x2", ["0.249999999", "0.250000001"])
+def test_a_force_that_does_not_bring_the_bodies_there_is_not_given(monkeypatch, x2):
+    def from_elsewhere(found):
+        return solved_again(replace(found, scene=found.scene.replace(x2=x2)))
+
+    monkeypatch.setattr(transfer, "solved_again", from_elsewhere)
+    with pytest.raises(NotSettled, match="do not come to rest in time"):
         planned(FREE, "0.001", "0.2")

@@ -130,6 +130,8 @@ slove velocities | did you mean solve
 solve velocities --arithmetic flaot64 | did you mean float64
 track at-rest --reference s-curv | did you mean s-curve
 solve velocities --jsn | --jsn is not known: did you mean --json?
+solve velocities --max_events 3 | --max_events is not known: did you mean --max-events?
+solve velocities --t-eval 0:1:1 | --t-eval is not known: write --times
 solve velocities --rtol 1e-9 | --digits N requests N right digits
 solve velocities --times 0:9:1 | outside the solved time
 solve velocities --times 0:5 | must be A:B:STEP

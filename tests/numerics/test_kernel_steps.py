@@ -10,12 +10,12 @@ from hypothesis import strategies as st
 from kernel_runs import begun, exact
 from strategies import polynomials_of_roots
 
-from numerics import Force, Pair, Piece, Scene, State
+from numerics import Force, Pair, Piece, Scene, Signal, State
 from numerics.linear.first_root import CLEAR, ROOT, UNDECIDED, first_root
 from numerics.linear.next_event import Next, Step, next_event
 from numerics.linear.polynomial_root import first_crossing, touches
+from numerics.linear.resolve import CONTACT, StepEnd, arrived, mode_after, resolve
 from numerics.linear.resolve import UNDECIDED as NO_MODE
-from numerics.linear.resolve import arrived, mode_after
 from numerics.linear.room import form_z
 from numerics.linear.table import GUARDS, STATE, SUMS, UNIT
 
@@ -99,6 +99,15 @@ def test_what_follows_is_judged_by_the_load_that_there_is_when_a_late_event_come
         assert mode_after(run, at, edge, late * gap / fastest) == (side * after if is_known else NO_MODE), (N, late)
     near = tuple(one if abs(one) > gap else UNIT * 4 * math.copysign(1, one) for one in edge)
     assert mode_after(run, now._replace(N=0.0), near, 0.0) == NO_MODE
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_which_way_a_slip_goes_when_the_belt_has_jumped_is_known_beyond_N_and_rounding(side):
+    run, now = begun(Scene(Pair(1, "inf", 1, 1), State(v1=2), 9, belt=Signal.constant(2)))
+    for N, gap, is_known in ((0, 4 * UNIT, False), (0, 1e-12, True), (1e-9, 0.99e-9, False), (1e-9, 1.01e-9, True)):
+        run.y[1] = run.y[3] + side * gap
+        after = resolve(run, now._replace(N=N / run.norm.kappa), StepEnd(CONTACT, 0.0))
+        assert after.mode == (side if is_known else NO_MODE), (N, gap)
 
 
 @pytest.mark.parametrize("own", [1e-6, 1e-4])

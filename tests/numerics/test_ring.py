@@ -22,10 +22,10 @@ from numerics import (
     ring_entry,
     solve,
 )
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.control import ring as rings
-from numerics.control.orbit import Orbit, state_at
-from numerics.control.ring import Settled, periodic_settled
+from numerics.control.orbit import Orbit, state_at, without_x2
+from numerics.control.ring import Settled, periodic_settled, slide_left
 from numerics.free.abel import creeping_place
 from numerics.trajectory.run import run_scene
 
@@ -77,6 +77,7 @@ def test_what_helps_where_a_motion_is_not_known_to_settle_is_said(monkeypatch):
 
 # what is said of all later times
 
+SLIDING = Scene(DAMPED, State(v1=1), 80, force=Force.sine(2, 12))
 FAST = Scene(Pair(3, "0.5", 2_000_000, "0.5", 300), State(v1=1), Fraction("0.3"), force=Force.sine(5, 1200))
 """In a period it can slide far less, in metres, than its speed in metres a second."""
 
@@ -109,8 +110,23 @@ def test_since_is_the_first_period_that_is_proved_to_stay_as_near_as_asked(monke
 def test_what_can_still_slide_is_in_the_limit(monkeypatch):
     """@example of a fault that survived: it is far less than the last digits of balls."""
     monkeypatch.setattr(rings, "slide_left", lambda *_: arb("1e-6"))
-    scene = Scene(DAMPED, State(v1=1), 80, force=Force.sine(2, 12))
-    assert known(scene, 1e-3).limit.rad() >= 1e-6
+    assert known(SLIDING, 1e-3).limit.rad() >= 1e-6
+
+
+def test_no_motion_near_a_periodic_one_slides_further_than_is_said():
+    """Of motions that begin so far away along x1, v1 and v2 the one that slides most; the bound is of use, too."""
+    orbit, times = orbit_of(SLIDING), np.linspace(0, 20, 4_000)
+    norm = orbit.drive.norm
+    for fifth in range(1, 5):
+        with Ball(30).context():
+            t, reach = (orbit.legs[0].start + orbit.drive.period * fifth / 5).mid(), arb("1e-6")
+            most, starts = float(slide_left(orbit, t, reach)), [[*without_x2(state_at(orbit.passage_at(t), t))]]
+            for place, root in enumerate((norm.root_a2, norm.root_m1, norm.root_m2)):
+                starts.append([one + reach / root * (k == place) for k, one in enumerate(starts[0])])
+            scenes = [orbit.drive.one_period(exact_middle(t), [*map(exact_middle, one)]) for one in starts]
+        y = [solve(one.replace(until=20)).sol(times) for one in scenes]
+        own, *others = [v1 - v2 for _, v1, _, v2 in y]
+        assert most / 6 < max(20 * abs(one - own).mean() for one in others) <= most
 
 
 def test_a_piece_that_begins_after_the_horizon_counts():

@@ -14,10 +14,12 @@ from flint import arb
 from hypothesis import example, given
 from reaching import LeftOut, reaching
 from scene_files import scenes_in
+from sixty_digits import case_of
 from strategies import driven_scenes, fewer, scenes
 from three_scenes import PAPER
 
 from numerics import (
+    EventUndecided,
     Force,
     Friction,
     NotDifferentiable,
@@ -116,6 +118,23 @@ def test_derivatives_have_the_digits_that_are_asked_for():
     """Of a run with fewer they are those of another one."""
     final = sensitivities(in_balls(named("damping-heavy"), 15).but(digits=60)).final.ravel()
     assert max(one.rad() for one in final) < arb("1e-58") * max(abs(one) for one in final)
+
+
+def test_a_run_whose_events_many_digits_prove_has_derivatives_if_they_are_these():
+    """Beside a graze, on both sides, 1e-60 m/s apart: one scene to 30 digits, but one side has two events more."""
+    grazing, step = case_of("extremes", "graze-to-900-digits", "ball").scene, Fraction(1, 10**60)
+    below = grazing.initial.v2 // step * step
+    scenes = [grazing.replace(v2=one) for one in (below, below + step)]
+    runs, proved = ([solve(one, digits=30, arithmetic=name) for one in scenes] for name in ("mpmath", "ball"))
+    assert runs[0].modes == runs[1].modes
+    assert proved[0].modes != proved[1].modes
+    for run, truth in zip(runs, proved, strict=True):
+        if run.modes == truth.modes:
+            with truth.context():
+                assert [one for one in derivatives(run, truth) if not one.ratio <= 1] == []
+        else:
+            with pytest.raises(EventUndecided, match="are the events those of the trajectory"):
+                sensitivities(run)
 
 
 def test_pieces_of_one_length_share_their_exponentials(monkeypatch):

@@ -12,6 +12,7 @@ from sixty_digits import forced_scene
 
 from numerics import Law, OutOfRange, Pair, Scene, State, load_scene
 from numerics.trade import measure, peers
+from numerics.trade.command import MEANING
 from numerics.trade.contenders import CONTENDERS
 from numerics.trade.figure import draw_trade
 from numerics.trade.forward_euler import forward_euler
@@ -148,6 +149,7 @@ def test_the_whole_command_on_a_scene_of_the_users(output, record, scene_file, t
     printed = output("trade", scene_file, "--digits", 15)
     assert printed.count("\nballs ") == 1
     assert re.search(r"float64 +2 ms +1 +\d\.\de-1\d +\d+ *$", printed, re.MULTILINE)
+    assert re.search(rf" cores, load .*; Python .*numpy .*\n{re.escape(MEANING)}\n$", printed)
 
 
 # the peers: each installed one gets scenes of every kind right, and never runs for ever
