@@ -13,7 +13,7 @@ in balls for it; after that time the motion is inside by what is proved of all l
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import reduce
@@ -26,12 +26,12 @@ from flint import arb, arb_mat
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, exact_middle, undecided, working_digits
 from numerics.arithmetic.precision import precision
+from numerics.arithmetic.root import Function, falling_root, first_fall
 from numerics.control.answers import most_digits, number, rounded
 from numerics.control.orbit import Orbit, PeriodicDrive, motion_of, one_round, state_at, without_x2
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
-from numerics.free.root import falling_root
 from numerics.linear.system import W, Z
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, require_digits, short
@@ -237,10 +237,6 @@ def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate
     return arb(0)
 
 
-Function = Callable[[arb], tuple[arb, arb]]
-"""A function of time (s) and its rate, enclosed over a ball of times."""
-
-
 def _outside(parts: Sequence[Leg], start: arb, limit: arb, squared: arb, weight: arb) -> Function:
     """Return D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 from a time (s) on: of one motion, or of that less another."""
     motions = [(motion_of(one), start - one.start) for one in parts]
@@ -258,23 +254,16 @@ def _outside(parts: Sequence[Leg], start: arb, limit: arb, squared: arb, weight:
 
 def _last_zero(over: Function, length: arb) -> arb | None:
     """Return the last zero in [0, length] of a function that ends below 0; None if there is none."""
-    waiting = [(arb(0), length.upper())]
-    smallest = length.upper() * arb(2) ** (-working_digits())
-    while waiting:
-        low, high = waiting.pop()
-        # telling inside from outside needs few digits
-        with precision(min(flint.ctx.prec, _SEARCH_BITS)):
-            part, rate = over(low.union(high))
-            if part < 0:
-                continue
-            left, right = over(low)[0], over(high)[0]
-        if right > 0:
-            raise undecided("is the motion inside the ring here?", right)
-        if rate < 0 and left > 0:
-            return falling_root(low, high, over)
-        if not (rate < 0 or rate > 0) or left.contains(0):
-            if high - low < smallest:
-                raise undecided("does the motion touch the ring?", part)
-            middle = ((low + high) / 2).mid()
-            waiting += [(low, middle), (middle, high)]
-    return None
+    zero, end = arb(0), length.upper()
+
+    def backwards(t: arb) -> tuple[arb, arb]:
+        value, rate = over(end - t)
+        return -value, rate
+
+    # telling inside from outside needs few digits
+    least = end * arb(2) ** (-working_digits())
+    with precision(min(flint.ctx.prec, _SEARCH_BITS)):
+        found = first_fall(zero, end, backwards, zero, least)
+    if found is False:
+        raise undecided("does the motion touch the ring?", over(end)[0])
+    return None if found is None else falling_root(end - found[1], end - found[0], over)

@@ -11,7 +11,6 @@ balls are taken, and what they are off is seen in the defect (defect.py).
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from itertools import chain
 from operator import mul
@@ -20,13 +19,15 @@ from typing import Any, NamedTuple
 from flint import arb, arb_poly
 
 from numerics.plane.polynomial import log2, scaled, two_to
-from numerics.plane.system import PlaneDrive, System, highest
+from numerics.plane.system import PlaneDrive, System
 from numerics.plane.vector import Vector
 
 Friction = Sequence[arb | None]
 """Friction by axes: constant where it slips, None where it holds the axis at rest."""
 _MORE = {True: 6, False: 2}
 """Terms beyond those of s with which the rest follows from it, by its own clock or not; loads are as good as these."""
+_FARTHEST = 2.0**20
+"""log2 of how far a series reaches that ends, as at rest."""
 
 
 class Point(NamedTuple):
@@ -84,7 +85,7 @@ def step_from(at: Point, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse
 class Expansion:
     """Taylor polynomials from a point: of a slip by its own clock sigma, else by the time, with friction that is given.
 
-    `polynomials` of s, v2, q1, t, sines and cosines are those of sigma/unit, a unit about a step.
+    `polynomials`: of s, v2, q1, t, sines and cosines.
     """
 
     def __init__(self, system: System, at: Point, friction: Friction | None = None) -> None:
@@ -93,29 +94,25 @@ class Expansion:
         waves = [*chain(*drive.swing(at.t))]
         powers = [at.t**p for p in range(2, len(drive.polynomial))]
         self.start = [*at.s, *at.v2, *at.q1, at.t, *waves, *powers, arb(1)]
-        rate = 1 / system.period
-        if friction is None:
-            rate = highest(1 / drive.heavy) + drive.friction(at.s)[1] / system.period
-        self.unit = two_to(-round(log2(rate)))
         rows = [[x.mid()] for x in self.start]
-        expand(rows, system, drive, friction, self.unit)
+        expand(rows, system, drive, friction)
         self.polynomials = [*map(arb_poly, rows)]
 
     def reach(self, fast: arb) -> arb:
         """Return how far they reach: there the last two terms are 2^-bits of sizes, `fast` that of s."""
         system, n = self.system, self.system.n
         last, sizes = (system.degree, system.degree - 1), [fast] * n + [system.speed] * n + [system.size] * n
-        found = math.inf
+        found = _FARTHEST
         for p, size in zip(self.polynomials, [*sizes, system.period], strict=False):
             enough = log2(size) - system.bits
             found = min([found, *((enough - log2(p[k])) / k for k in last if p[k] != 0)])
-        return two_to(found) * self.unit if found < math.inf else arb("inf")
+        return two_to(found)
 
     def drawn(self, h: arb) -> Step:
         """Return a step sigma = h x, 0 <= x <= 1."""
         n, drive = self.system.n, self.system.pieces[self.at.piece]
         given = zip(self.polynomials, self.start, strict=True)
-        found = [arb_poly([x, *scaled(one, h / self.unit).coeffs()[1:]]) for one, x in given]
+        found = [arb_poly([x, *scaled(one, h).coeffs()[1:]]) for one, x in given]
         s, v2, q1 = (Vector(found[k : k + n]) for k in (0, n, 2 * n))
         waves = found[3 * n + 1 :][: 2 * len(drive.sines)]
         swing = [*zip(waves[::2], waves[1::2], strict=True)]
@@ -153,8 +150,8 @@ def forms(system: System, drive: PlaneDrive) -> list[list[tuple[arb, int]]]:
     return found
 
 
-def expand(rows: list[list[arb]], system: System, drive: PlaneDrive, friction: Friction | None, unit: arb) -> None:
-    """Append coefficients of (sigma/unit)^k to rows with the first (see `forms`).
+def expand(rows: list[list[arb]], system: System, drive: PlaneDrive, friction: Friction | None) -> None:
+    """Append coefficients of sigma^k to rows with the first (see `forms`).
 
     Beyond the degree s ends, and all else goes on with that, as where an axis sticks.
     """
@@ -165,7 +162,7 @@ def expand(rows: list[list[arb]], system: System, drive: PlaneDrive, friction: F
         return sum(map(mul, one[: k + 1], two[k::-1]), arb(0))
 
     for k in range(system.degree + _MORE[own]):
-        step, taken = unit / (k + 1), []
+        taken = []
         if own:
             square = sum(b * product(s, s, k) for b, s in zip(drive.b_squared, rows, strict=False))
             h[k:] = [(square.sqrt() if k == 0 else (square - product(h[1:], h[1:], k - 2)) / (2 * h[0])).mid()]
@@ -179,4 +176,4 @@ def expand(rows: list[list[arb]], system: System, drive: PlaneDrive, friction: F
             else:
                 taken[i], taken[n + i] = arb(0), taken[i] / system.mass[i]
         for row, x in zip(rows, taken, strict=True):
-            row.append((x * step).mid())
+            row.append((x / (k + 1)).mid())
