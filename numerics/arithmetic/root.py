@@ -7,6 +7,7 @@ step: it exists, and is the only one in the bracket.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Literal
 
 import flint
 from flint import arb
@@ -34,7 +35,9 @@ def falling_root(lower: Number, upper: Number, function: Function) -> Number:
     return _enclosed(near, lower, upper, function)
 
 
-def first_fall(low: arb, high: arb, function: Function, error: arb, least: arb) -> tuple[arb, arb] | bool | None:
+def first_fall(
+    low: arb, high: arb, function: Function, error: arb, least: arb
+) -> tuple[arb, arb] | Literal[False] | None:
     """Return points between which a function of balls first falls from above `error` to below -error, once.
 
     None if it stays above `error`; False if that is not decided on a part as short as `least`.

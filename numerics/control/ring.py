@@ -167,25 +167,25 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
     the motion stays within `near` of the limit (m, and m/s) is `since`. While more can still slide than that is
     sharp and the balls of both motions are apart, a later horizon is sharper: None.
     """
-    parts, norm, period = legs(trajectory), orbit.drive.norm, orbit.drive.period
+    norm, period, left = orbit.drive.norm, orbit.drive.period, arb(0)
     end, limit, since = number(trajectory.scene.until), None, None
     for back in range(int(float(end / period)) if trajectory.reached else 0):
         t = (end - back * period).mid()
         try:
             there = orbit.passage_at(t)
-            here = [one for one in parts if one.start <= t and not t > one.end][:1]
-            if [one.side for one in here] != [there.side]:
-                break
-            apart = [a - b for a, b in zip(state_at(here[0], t), state_at(there, t), strict=True)]
+            apart = [a - b for a, b in zip(trajectory.sol(t), state_at(there, t), strict=True)]
             reach = norm.of(apart)
-            left = slide_left(orbit, t, reach)
+            if limit is None:
+                if trajectory.mode_at(t).sign != there.side:
+                    return None
+                left, limit = slide_left(orbit, t, reach), apart[0] - apart[2]
+                if not left <= limit.rad() and not all(apart[k].contains(0) for k in (0, 1, 3)):
+                    return None
+                limit += arb(0, left)
+            else:
+                left += norm.kappa * (since - t) * reach  # N never grows
         except EventUndecided:
             break
-        if limit is None:
-            limit = apart[0] - apart[2]
-            if not left <= limit.rad() and not all(apart[k].contains(0) for k in (0, 1, 3)):
-                return None
-            limit += arb(0, left)
         if not left.max(norm.kappa * reach) < near:
             break
         since = t
