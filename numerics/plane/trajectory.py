@@ -15,9 +15,8 @@ import numpy as np
 from flint import arb, arb_poly
 
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
-from numerics.plane.answer import PlaneEvent, PlaneState, Working
 from numerics.plane.box import Parts
-from numerics.plane.motion import Leg, Motion
+from numerics.plane.motion import Leg, Motion, PlaneEvent, PlaneState, Working
 from numerics.plane.reduced import reduced
 from numerics.plane.series import Point
 from numerics.plane.system import System
