@@ -206,4 +206,4 @@ def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Pr
 
 
 def _knot(start: Start, event: bool, t: Number, length: Number, state: Any, w: Number) -> Knot:
-    return Knot(mode_of(start), order_of(start), event, False, 0, t, length, *state, w)
+    return Knot(mode_of(start), order_of(start), event, False, 0, t, length, *state, excess=w)
