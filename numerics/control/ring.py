@@ -21,15 +21,16 @@ from itertools import chain
 from typing import NamedTuple
 
 import flint
-from flint import arb, arb_mat
+from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, exact_middle, undecided, working_digits
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.root import Function, falling_root, first_fall
 from numerics.control.answers import most_digits, number, rounded
-from numerics.control.orbit import Orbit, PeriodicDrive, motion_of, one_round, state_at, without_x2
-from numerics.control.response import last_drive, response
+from numerics.control.drive import PeriodicDrive, last_drive
+from numerics.control.orbit import Orbit, motion_of, one_round, state_at, without_x2
+from numerics.control.response import response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
 from numerics.linear.system import W, Z
@@ -198,10 +199,15 @@ def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
     """Return a bound of int |w - w*| dt from a time on, for all motions in the mode of the orbit within `reach` of it.
 
     Both are followed as one box of states that have the same events (`one_round`). The derivative of the period map
-    over the box bounds how much a period shrinks distances; N never grows in between. If k periods shrink it by theta
+    over this box bounds how much a period shrinks distances; N never grows in between. If k periods shrink it by theta
     < 1, then int |w - w*| dt <= kappa k T reach/(1 - theta), as |w - w*| <= kappa N. Raises EventUndecided.
     """
-    norm, slopes = orbit.drive.norm, _period_slopes(orbit, t.mid(), reach)
+    t, norm = t.mid(), orbit.drive.norm
+    at = without_x2(state_at(orbit.passage_at(t), t))
+    start = [rounded(one, working_digits()) for one in at]
+    off = max(abs(one - number(near)).upper() for one, near in zip(at, start, strict=True))
+    radius = (off + reach / min(norm.root_a2, norm.root_m1, norm.root_m2)).upper()
+    slopes = one_round(orbit.drive, exact_middle(t), start, len(orbit.legs), radius).slopes
     for doubling in range(_SQUARINGS):
         x1, v1, v2 = (norm.most((x, v, arb(0), w)) for x, v, w in slopes.tolist())
         shrunk = norm.of((x1, v1, arb(0), v2))
@@ -209,15 +215,6 @@ def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
             return (norm.kappa * 2**doubling * orbit.drive.period * reach / (1 - shrunk)).upper()
         slopes = slopes * slopes
     raise undecided("does the period map shrink distances?", shrunk)
-
-
-def _period_slopes(orbit: Orbit, t: arb, reach: arb) -> arb_mat:
-    """Return the derivative of (x1, v1, v2) a period after t by that at t, over the box within `reach` of the orbit."""
-    at, norm = without_x2(state_at(orbit.passage_at(t), t)), orbit.drive.norm
-    start = [rounded(one, working_digits()) for one in at]
-    off = max(abs(one - number(near)).upper() for one, near in zip(at, start, strict=True))
-    radius = (off + reach / min(norm.root_a2, norm.root_m1, norm.root_m2)).upper()
-    return one_round(orbit.drive, exact_middle(t), start, len(orbit.legs), radius).slopes
 
 
 # the last time on the ring

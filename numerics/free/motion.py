@@ -11,7 +11,7 @@ then w drops by 2 r q K(theta), and the pair sticks until it reaches a ray again
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from numerics.arithmetic.functions import as_float, atan2, require_phase, sign, sine_cosine, sqrt
 from numerics.arithmetic.protocol import Arithmetic, Number
@@ -176,6 +176,7 @@ def excursions(frame: Frame, w: Number, side: int = 1) -> Iterator[Excursion]:
             yield Excursion(ray.w, ray.side, slip, start.w, duration)
 
 
+State4 = tuple[Number, Number, Number, Number]
 Progress = Callable[[int, float], None]
 
 
@@ -205,5 +206,5 @@ def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Pr
         return Record(knots, knots[-1]._replace(length=zero), How.EVENT_LIMIT, len(knots) - 1)
 
 
-def _knot(start: Start, event: bool, t: Number, length: Number, state: Any, w: Number) -> Knot:
+def _knot(start: Start, event: bool, t: Number, length: Number, state: State4, w: Number) -> Knot:
     return Knot(mode_of(start), order_of(start), event, False, 0, t, length, *state, excess=w)
