@@ -13,9 +13,9 @@ from __future__ import annotations
 import logging
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from itertools import count
+from itertools import count, islice
 from typing import NamedTuple
 
 from flint import acb, acb_mat, arb, arb_mat
@@ -37,6 +37,14 @@ _STEPS = 20
 """Newton steps from a guess before it counts as none."""
 State3 = Sequence[arb]
 """x1, v1, v2."""
+MAX_EVENTS, _SHARE = 10_000, 5
+"""Limit on events, and which part of it a period may have: its equations take longer than a run."""
+_LOST = (EventUndecided, InvalidScene, OutOfRange)
+"""What ends a search from one start: nothing is claimed of it."""
+_BEGIN, _DIGITS = Fraction(1234567, 10**7), 20
+"""At this part of a period searches begin; that many digits of a state are followed from period to period."""
+Start = tuple[Fraction, State3, int]
+"""A time (s), (x1, v1, v2) there, and how many periods are followed from it before Newton's method begins."""
 
 
 def motion_of(leg: Leg) -> Motion:
@@ -133,13 +141,10 @@ def follow(
             f"a period of {float(drive.period):.4g} s has more than {most} events, a fifth of max_events; raise "
             "max_events, or use frequencies with a shorter common period"
         )
-    parts, t = legs(run), number(begin)
-    ends = [*(one.start for one in parts[1:]), drive.period]
-    found = [
-        one._replace(start=t + one.start, end=t + end, mode=LinearMode.under(drive.pair, one.side, drive.piece))
-        for one, end in zip(parts, ends, strict=True)
-    ]
-    return found, run
+    t = number(begin)
+    parts = [later(one, t, 0)._replace(mode=LinearMode.under(drive.pair, one.side, drive.piece)) for one in legs(run)]
+    parts[-1] = parts[-1]._replace(end=t + drive.period)
+    return parts, run
 
 
 class Round(NamedTuple):
@@ -229,24 +234,13 @@ def _largest(step: Sequence[arb]) -> arb:
 
 def _in_order(drive: PeriodicDrive, over: Round) -> Orbit:
     """Return a round as an orbit, from the first slip + (else any leg) on that begins in [0, period)."""
-    period, (first, *legs) = drive.period, over.parts
-    travel = over.end[2] - first.state[2]
-    legs[-1] = legs[-1]._replace(end=first.end + period)
-    turns = [math.floor(float(one.start / period)) for one in legs]
-    k = min(range(len(legs)), key=lambda k: (legs[k].side != 1, float(legs[k].start - turns[k] * period)))
-    place = legs[k].state[2]
-    moved = [later(one, ((m < k) - turns[k]) * period, (m < k) * travel - place) for m, one in enumerate(legs)]
-    return Orbit(drive, (*moved[k:], *moved[:k]), travel, over.slopes)
-
-
-MAX_EVENTS, _SHARE = 10_000, 5
-"""Limit on events, and which part of it a period may have: its equations take longer than a run."""
-_LOST = (EventUndecided, InvalidScene, OutOfRange)
-"""What ends a search from one start: nothing is claimed of it."""
-_BEGIN, _DIGITS = Fraction(1234567, 10**7), 20
-"""At this part of a period searches begin; that many digits of a state are followed from period to period."""
-Start = tuple[Fraction, State3, int]
-"""A time (s), (x1, v1, v2) there, and how many periods are followed from it before Newton's method begins."""
+    first, *legs, last = over.parts
+    last = last._replace(end=first.end + drive.period)
+    found = Orbit(drive, (*legs, last), over.end[2] - first.state[2], over.slopes)
+    begun = (one for one in found.between(arb(0), drive.period) if one.start >= 0)
+    first = min(begun, key=lambda one: (one.side != 1, float(one.start)))
+    all_legs = islice(found.between((first.start + first.end) / 2, arb.pos_inf()), len(found.legs))
+    return replace(found, legs=tuple(later(one, 0, -first.state[2]) for one in all_legs))
 
 
 def search(drive: PeriodicDrive, max_events: int) -> Orbit:

@@ -69,8 +69,10 @@ def first_root(p: arb_poly, error: arb, start: float = 0.0) -> tuple[arb, arb] |
     found = first_fall(arb(start), _ONE, lambda x: (on(p, x), on(slope, x)), error, _SHORTEST)
     if not isinstance(found, tuple):
         return found
-    x, room = _root(p, *found), -on(slope, found[0].union(found[1]))
-    return x, ((error + abs(p(x))) / room).upper()
+    x, room = _root(p, *found), (-on(slope, found[0].union(found[1]))).lower()
+    missed = error + abs(p(x))
+    # it falls as quickly at least as anywhere so near
+    return x, (missed / room.max((-on(slope, x + arb(0, (missed / room).upper()))).lower())).upper()
 
 
 def _root(p: arb_poly, low: arb, high: arb) -> arb:
