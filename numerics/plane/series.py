@@ -16,7 +16,7 @@ from itertools import chain
 from operator import mul
 from typing import Any, NamedTuple
 
-from flint import arb, arb_poly
+from flint import arb, arb_mat, arb_poly
 
 from numerics.plane.polynomial import log2, scaled, two_to
 from numerics.plane.system import PlaneDrive, System
@@ -124,8 +124,8 @@ class Expansion:
         return step_from(self.at, found[3 * n], q1, v2, s, impulse, swing)
 
 
-def forms(system: System, drive: PlaneDrive) -> list[list[tuple[arb, int]]]:
-    """Return the rates by the time, as sums of rows with their factors: u - A2 q1 - A1 v1 for s, none for v2, ...
+def rates(system: System, drive: PlaneDrive) -> arb_mat:
+    """Return the matrix of the rates by the time: u - A2 q1 - A1 v1 for s, none for v2, ...
 
     Rows are n of s, v2 and q1 each, t, a sine and a cosine for each phase, t^2, t^3, ... and 1.
     """
@@ -133,42 +133,43 @@ def forms(system: System, drive: PlaneDrive) -> list[list[tuple[arb, int]]]:
     q1, t = 2 * n, 3 * n
     first = t + 1 + 2 * len(drive.sines)
     one = first + max(0, len(drive.polynomial) - 2)
-    powers = [one, t, *range(first, one)]
-    found: list[list[tuple[arb, int]]] = [[] for _ in range(one + 1)]
+    powers, found = [one, t, *range(first, one)], arb_mat(one + 1, one + 1)
     for i in system.axes:
-        push = [(-x[i], q1 + j) for j, x in enumerate(system.a2)]
-        push += [(-x[i], part + j) for part in (0, n) for j, x in enumerate(system.a1)]
-        push += [(x[i], row) for x, row in zip(drive.polynomial, powers, strict=False)]
-        push += [(wave[-1][i], t + 1 + 2 * j) for j, wave in enumerate(drive.sines)]
-        found[i] = [(x, row) for x, row in push if x != 0]
-        found[q1 + i] = [(arb(1), i), (arb(1), n + i)]
+        found[q1 + i, i] = found[q1 + i, n + i] = 1
+        for j in system.axes:
+            found[i, q1 + j] = -system.a2[j][i]
+            if system.a1:
+                found[i, j] = found[i, n + j] = -system.a1[j][i]
+        for x, row in zip(drive.polynomial, powers, strict=False):
+            found[i, row] = x[i]
+        for j, (*_, amplitudes) in enumerate(drive.sines):
+            found[i, t + 1 + 2 * j] = amplitudes[i]
     for p, row in enumerate(powers[1:], start=1):
-        found[row] = [(arb(p), powers[p - 1])]
+        found[row, powers[p - 1]] = p
     for j, (omega, *_) in enumerate(drive.sines):
         sine = t + 1 + 2 * j
-        found[sine], found[sine + 1] = [(omega, sine + 1)], [(-omega, sine)]
+        found[sine, sine + 1], found[sine + 1, sine] = omega, -omega
     return found
 
 
 def expand(rows: list[list[arb]], system: System, drive: PlaneDrive, friction: Friction | None) -> None:
-    """Append coefficients of sigma^k to rows with the first (see `forms`).
+    """Append coefficients of sigma^k to rows with the first (see `rates`).
 
     Beyond the degree s ends, and all else goes on with that, as where an axis sticks.
     """
-    n, own, h = system.n, friction is None, [arb(1)]
-    rates = [(form, [arb(0)][:0]) for form in forms(system, drive)]
+    n, own, h, by_time = system.n, friction is None, [arb(1)], rates(system, drive)
+    found, changes = [list[arb]() for _ in rows], [any(row) for row in by_time.tolist()]
 
     def product(one: list[arb], two: list[arb], k: int) -> arb:
         return sum(map(mul, one[: k + 1], two[k::-1]), arb(0))
 
     for k in range(system.degree + _MORE[own]):
-        taken = []
         if own:
             square = sum(b * product(s, s, k) for b, s in zip(drive.b_squared, rows, strict=False))
             h[k:] = [(square.sqrt() if k == 0 else (square - product(h[1:], h[1:], k - 2)) / (2 * h[0])).mid()]
-        for form, rate in rates:
-            rate.append(sum((x * rows[j][k] for x, j in form), arb(0)).mid())
-            taken.append(product(rate, h, k) if own and form else rate[k])
+        for rate, x in zip(found, (by_time * arb_mat([[row[k]] for row in rows])).entries(), strict=True):
+            rate.append(x.mid())
+        taken = [product(rate, h, k) if own and does else rate[k] for rate, does in zip(found, changes, strict=True)]
         for i in system.axes:
             if k < system.degree and (friction is None or friction[i] is not None):
                 f = drive.b_squared[i] * rows[i][k] if friction is None else friction[i] if k == 0 else arb(0)
