@@ -31,8 +31,8 @@ from IPython.display import Latex, Markdown, display
 from numerics import Pair, Scene, State, sensitivities, solve
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, PrecisionExhausted
-from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
+from numerics.free.motion import excursions
 from numerics.linear.modes import EventKind
 from numerics.trajectory.comparison import distance
 from numerics.trajectory.export import as_record

@@ -1,8 +1,11 @@
-"""A periodic motion under a periodic force: from a guess of its events to a proved enclosure, with its multipliers.
+"""A periodic motion under a periodic force: its search, its proved enclosure, its multipliers.
 
 The period map takes (x1, v1, v2) at one time to that a period later. The engine follows it in balls, from a point or
 from a box of starts at once: then all of them have these events, and the product of the derivatives of legs and events,
 each over all states there, encloses the derivative of the map over the box.
+
+The pair is followed over periods from some starts; Newton's method on the period map (`solve_from`) ends each search.
+One motion is enough; response.py says when it is the only one.
 """
 
 from __future__ import annotations
@@ -10,20 +13,19 @@ from __future__ import annotations
 import logging
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from itertools import count
+from itertools import count, islice
 from typing import NamedTuple
 
 from flint import acb, acb_mat, arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, undecided, working_digits
-from numerics.control.answers import KEPT_DIGITS, number, rounded, rounded_up
-from numerics.errors import NotSettled
+from numerics.control.answers import number, rounded
+from numerics.control.drive import PeriodicDrive, stuck_motion
+from numerics.errors import EventUndecided, InvalidScene, NotSettled, OutOfRange
 from numerics.linear.flow import Motion, motion_in
-from numerics.linear.model import V1, V2, X1
-from numerics.linear.system import LinearMode, LocalNorm
-from numerics.scene import Force, Pair, Piece, Scene, Sine, State
+from numerics.linear.system import LinearMode
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
@@ -33,50 +35,16 @@ from numerics.trajectory.variation import Leg, legs
 _log = logging.getLogger(__name__)
 _STEPS = 20
 """Newton steps from a guess before it counts as none."""
-STATE = X1, V1, V2
-"""What a force by pieces acts on: x2 follows from these."""
 State3 = Sequence[arb]
 """x1, v1, v2."""
-
-
-@dataclass(frozen=True, repr=False)
-class PeriodicDrive(ShortRepr):
-    """A pair under a periodic force: sines and a constant (N), t from the start of the run."""
-
-    pair: Pair
-    piece: Piece
-
-    @property
-    def frequency(self) -> Fraction:
-        """Return the greatest frequency of which all are multiples, rad/s; 0 without sines."""
-        return Force((self.piece,)).frequency or Fraction(0)
-
-    @property
-    def period(self) -> arb:
-        """Return T = 2 pi/frequency, s."""
-        return 2 * arb.pi() / number(self.frequency)
-
-    @property
-    def is_odd(self) -> bool:
-        """Return whether u - c changes its sign after half a period, c its constant part; exact."""
-        return all((one.omega / self.frequency) % 2 == 1 for one in self.piece.sines)
-
-    @property
-    def norm(self) -> LocalNorm:
-        """Return N of differences of two motions, N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2, in the arithmetic's context."""
-        return LocalNorm(LinearMode.under(self.pair, 1, self.piece))
-
-    @property
-    def rest(self) -> Fraction:
-        """Return where the constant part of the force holds body 1, m."""
-        return sum(self.piece.polynomial, Fraction(0)) / self.pair.a2
-
-    def one_period(self, begin: Fraction, at: Sequence[Fraction], digits: int = KEPT_DIGITS) -> Scene:
-        """Return a period from a time (s) and (x1, v1, v2) on as a scene; it is rounded up to so many digits."""
-        # a constant part of a phase beyond a turn is kept: the sine is the same function of time
-        sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * begin) for one in self.piece.sines]
-        force, (x1, v1, v2) = Force((Piece(0, self.piece.polynomial, sines),)), at
-        return Scene(self.pair, State(x1, v1, 0, v2), until=rounded_up(self.period, digits), force=force)
+MAX_EVENTS, _SHARE = 10_000, 5
+"""Limit on events, and which part of it a period may have: its equations take longer than a run."""
+_LOST = (EventUndecided, InvalidScene, OutOfRange)
+"""What ends a search from one start: nothing is claimed of it."""
+_BEGIN, _DIGITS = Fraction(1234567, 10**7), 20
+"""At this part of a period searches begin; that many digits of a state are followed from period to period."""
+Start = tuple[Fraction, State3, int]
+"""A time (s), (x1, v1, v2) there, and how many periods are followed from it before Newton's method begins."""
 
 
 def motion_of(leg: Leg) -> Motion:
@@ -173,13 +141,10 @@ def follow(
             f"a period of {float(drive.period):.4g} s has more than {most} events, a fifth of max_events; raise "
             "max_events, or use frequencies with a shorter common period"
         )
-    parts, t = legs(run), number(begin)
-    ends = [*(one.start for one in parts[1:]), drive.period]
-    found = [
-        one._replace(start=t + one.start, end=t + end, mode=LinearMode.under(drive.pair, one.side, drive.piece))
-        for one, end in zip(parts, ends, strict=True)
-    ]
-    return found, run
+    t = number(begin)
+    parts = [later(one, t, 0)._replace(mode=LinearMode.under(drive.pair, one.side, drive.piece)) for one in legs(run)]
+    parts[-1] = parts[-1]._replace(end=t + drive.period)
+    return parts, run
 
 
 class Round(NamedTuple):
@@ -269,11 +234,78 @@ def _largest(step: Sequence[arb]) -> arb:
 
 def _in_order(drive: PeriodicDrive, over: Round) -> Orbit:
     """Return a round as an orbit, from the first slip + (else any leg) on that begins in [0, period)."""
-    period, (first, *legs) = drive.period, over.parts
-    travel = over.end[2] - first.state[2]
-    legs[-1] = legs[-1]._replace(end=first.end + period)
-    turns = [math.floor(float(one.start / period)) for one in legs]
-    k = min(range(len(legs)), key=lambda k: (legs[k].side != 1, float(legs[k].start - turns[k] * period)))
-    place = legs[k].state[2]
-    moved = [later(one, ((m < k) - turns[k]) * period, (m < k) * travel - place) for m, one in enumerate(legs)]
-    return Orbit(drive, (*moved[k:], *moved[:k]), travel, over.slopes)
+    first, *legs, last = over.parts
+    last = last._replace(end=first.end + drive.period)
+    found = Orbit(drive, (*legs, last), over.end[2] - first.state[2], over.slopes)
+    begun = (one for one in found.between(arb(0), drive.period) if one.start >= 0)
+    first = min(begun, key=lambda one: (one.side != 1, float(one.start)))
+    all_legs = islice(found.between((first.start + first.end) / 2, arb.pos_inf()), len(found.legs))
+    return replace(found, legs=tuple(later(one, 0, -first.state[2]) for one in all_legs))
+
+
+def search(drive: PeriodicDrive, max_events: int) -> Orbit:
+    """Return a periodic motion with events, proved.
+
+    The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing.
+    Raises NotSettled where a period has more than a fifth of `max_events` events, else what ended the first search.
+    """
+    failures, most = list[Exception](), max_events // _SHARE
+    for begin, start, periods in _starts(drive):
+        at = start
+        _log.info("following %d periods of %.4g s", periods, drive.period)
+        try:
+            for _ in range(periods):
+                parts, _ = follow(drive, begin, [rounded(one, _DIGITS) for one in at], most)
+                at = without_x2(state_at(parts[-1], parts[-1].end))
+            if len(parts) == 1:
+                raise undecided("has a period an event?", "none")
+            return solve_from(drive, *middle(parts), most)
+        except _LOST as error:
+            failures.append(error)
+    raise failures[0]
+
+
+def _starts(drive: PeriodicDrive) -> Iterator[Start]:
+    """Yield where searches begin: slipping, next to the stuck response, and with body 2 at rest."""
+    t = rounded(drive.period * number(_BEGIN), _DIGITS)
+    # it slips at once: a pair that would stay stuck elsewhere does not hide the motion
+    far = number(2 * drive.pair.half_width), arb(0), arb(0)
+    yield t, far, 4
+    yield from _breaking(drive)
+    if (creeping := _creeping(drive)) is not None:
+        yield creeping
+    alone = stuck_motion(drive, number(t), drive.pair.m1)
+    free = far if alone is None else (alone[0], alone[1], arb(0))
+    for periods in (4, 12, 48):
+        yield t, free, periods
+    for periods in (16, 64, 256):
+        yield t, far, periods
+
+
+def _breaking(drive: PeriodicDrive) -> Iterator[Start]:
+    """Yield the stuck response where its load is least: that it breaks by too short slips, no other start sees."""
+    times = [rounded(drive.period * k / 8) for k in range(1, 8)]
+    motions = [(t, motion) for t in times if (motion := stuck_motion(drive, number(t))) is not None]
+    if motions:
+        t, (x, v, *_) = min(motions, key=lambda one: abs(float(one[1][2])))
+        yield t, (x, v, v), 1
+
+
+def _creeping(drive: PeriodicDrive) -> Start | None:
+    """Return about how the bodies pass the rest position, if a weak sine near resonance makes them slip.
+
+    The stuck pair swings as x1 = -A cos(p - phi) under U sin p, U sin phi = -(a2 - M omega^2) A. What is left of U cos
+    phi beside damping friction takes, near the critical orbit by A^2 = L^2 (1 + w), w^2 = 4 pi (U cos phi - a1 omega L)
+    m1/(9 b M), L the half-width. Approximate, of the sine next to resonance.
+    """
+    pair = drive.pair
+    sine = min(drive.piece.sines, key=lambda one: abs((pair.a2 - pair.mass * one.omega**2) / one.amplitude))
+    L, U, omega = pair.half_width, abs(sine.amplitude), number(sine.omega)
+    across = number((pair.mass * sine.omega**2 - pair.a2) * L / U)
+    along = (1 - across * across).sqrt() - number(pair.a1 * sine.omega * L / U)
+    if not along > 0:  # nor if the root is none
+        return None
+    square = along * arb.pi() * number(4 * U * pair.m1 / (9 * pair.b * pair.mass))
+    v = number(L * sine.omega if sine.amplitude > 0 else -L * sine.omega) * (1 + square.sqrt()).sqrt()
+    t = rounded((arb.pi() / 2 + across.asin() - number(sine.phase)) / omega)
+    return t, (number(drive.rest), v, v), 1

@@ -18,14 +18,21 @@ from flint import acb, arb
 from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import KEPT_DIGITS, most_digits, number, rounded
-from numerics.control.orbit import Orbit, PeriodicDrive, middle, solve_orbit
+from numerics.control.drive import (
+    PeriodicDrive,
+    entrained,
+    last_drive,
+    others_stick,
+    resonant_growth,
+    stuck_motion,
+    stuck_multipliers,
+)
+from numerics.control.orbit import MAX_EVENTS, Orbit, middle, search, solve_orbit
 from numerics.control.rotating import pictures, rotating_force, rotating_response
-from numerics.control.search import MAX_EVENTS, search
-from numerics.control.stuck import entrained, others_stick, resonant_growth, stuck_motion, stuck_multipliers
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene
 from numerics.meter import meter
-from numerics.scene import Force, Piece, Scene
+from numerics.scene import Force, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits
 from numerics.scene.model import require_plain
 from numerics.scene.plane import PlaneScene
@@ -178,16 +185,6 @@ def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
     if len(drive.piece.sines) != 1:
         raise InvalidScene("amplitude and omega replace those of one sine; the last piece of this force has more")
     return replace(drive, piece=replace(drive.piece, sines=(replace(drive.piece.sines[0], **asked),)))
-
-
-def last_drive(scene: Scene) -> PeriodicDrive | None:
-    """Return what acts from the last piece of force and friction on; None unless that is a constant and sines."""
-    last = scene.force.pieces[-1] if scene.force.pieces else Piece(0)
-    if len(last.polynomial) > 1:
-        return None
-    pair, b = scene.pair, scene.friction.steps[-1][1] if scene.friction.steps else scene.pair.b
-    added = Force((replace(last, start=Fraction(0)),)) + Force()  # equal sines become one
-    return PeriodicDrive(replace(pair, b=b), added.pieces[0])
 
 
 def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> Response:

@@ -13,7 +13,7 @@ in balls for it; after that time the motion is inside by what is proved of all l
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import reduce
@@ -21,17 +21,18 @@ from itertools import chain
 from typing import NamedTuple
 
 import flint
-from flint import arb, arb_mat
+from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, exact_middle, undecided, working_digits
 from numerics.arithmetic.precision import precision
+from numerics.arithmetic.root import Function, falling_root, first_fall
 from numerics.control.answers import most_digits, number, rounded
-from numerics.control.orbit import Orbit, PeriodicDrive, motion_of, one_round, state_at, without_x2
-from numerics.control.response import last_drive, response
+from numerics.control.drive import PeriodicDrive, last_drive
+from numerics.control.orbit import Orbit, motion_of, one_round, state_at, without_x2
+from numerics.control.response import response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
-from numerics.free.root import falling_root
 from numerics.linear.system import W, Z
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, require_digits, short
@@ -167,25 +168,25 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
     the motion stays within `near` of the limit (m, and m/s) is `since`. While more can still slide than that is
     sharp and the balls of both motions are apart, a later horizon is sharper: None.
     """
-    parts, norm, period = legs(trajectory), orbit.drive.norm, orbit.drive.period
+    norm, period, left = orbit.drive.norm, orbit.drive.period, arb(0)
     end, limit, since = number(trajectory.scene.until), None, None
     for back in range(int(float(end / period)) if trajectory.reached else 0):
         t = (end - back * period).mid()
         try:
             there = orbit.passage_at(t)
-            here = [one for one in parts if one.start <= t and not t > one.end][:1]
-            if [one.side for one in here] != [there.side]:
-                break
-            apart = [a - b for a, b in zip(state_at(here[0], t), state_at(there, t), strict=True)]
+            apart = [a - b for a, b in zip(trajectory.sol(t), state_at(there, t), strict=True)]
             reach = norm.of(apart)
-            left = slide_left(orbit, t, reach)
+            if limit is None:
+                if trajectory.mode_at(t).sign != there.side:
+                    return None
+                left, limit = slide_left(orbit, t, reach), apart[0] - apart[2]
+                if not left <= limit.rad() and not all(apart[k].contains(0) for k in (0, 1, 3)):
+                    return None
+                limit += arb(0, left)
+            else:
+                left += norm.kappa * (since - t) * reach  # N never grows
         except EventUndecided:
             break
-        if limit is None:
-            limit = apart[0] - apart[2]
-            if not left <= limit.rad() and not all(apart[k].contains(0) for k in (0, 1, 3)):
-                return None
-            limit += arb(0, left)
         if not left.max(norm.kappa * reach) < near:
             break
         since = t
@@ -198,10 +199,15 @@ def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
     """Return a bound of int |w - w*| dt from a time on, for all motions in the mode of the orbit within `reach` of it.
 
     Both are followed as one box of states that have the same events (`one_round`). The derivative of the period map
-    over the box bounds how much a period shrinks distances; N never grows in between. If k periods shrink it by theta
+    over this box bounds how much a period shrinks distances; N never grows in between. If k periods shrink it by theta
     < 1, then int |w - w*| dt <= kappa k T reach/(1 - theta), as |w - w*| <= kappa N. Raises EventUndecided.
     """
-    norm, slopes = orbit.drive.norm, _period_slopes(orbit, t.mid(), reach)
+    t, norm = t.mid(), orbit.drive.norm
+    at = without_x2(state_at(orbit.passage_at(t), t))
+    start = [rounded(one, working_digits()) for one in at]
+    off = max(abs(one - number(near)).upper() for one, near in zip(at, start, strict=True))
+    radius = (off + reach / min(norm.root_a2, norm.root_m1, norm.root_m2)).upper()
+    slopes = one_round(orbit.drive, exact_middle(t), start, len(orbit.legs), radius).slopes
     for doubling in range(_SQUARINGS):
         x1, v1, v2 = (norm.most((x, v, arb(0), w)) for x, v, w in slopes.tolist())
         shrunk = norm.of((x1, v1, arb(0), v2))
@@ -209,15 +215,6 @@ def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
             return (norm.kappa * 2**doubling * orbit.drive.period * reach / (1 - shrunk)).upper()
         slopes = slopes * slopes
     raise undecided("does the period map shrink distances?", shrunk)
-
-
-def _period_slopes(orbit: Orbit, t: arb, reach: arb) -> arb_mat:
-    """Return the derivative of (x1, v1, v2) a period after t by that at t, over the box within `reach` of the orbit."""
-    at, norm = without_x2(state_at(orbit.passage_at(t), t)), orbit.drive.norm
-    start = [rounded(one, working_digits()) for one in at]
-    off = max(abs(one - number(near)).upper() for one, near in zip(at, start, strict=True))
-    radius = (off + reach / min(norm.root_a2, norm.root_m1, norm.root_m2)).upper()
-    return one_round(orbit.drive, exact_middle(t), start, len(orbit.legs), radius).slopes
 
 
 # the last time on the ring
@@ -237,10 +234,6 @@ def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate
     return arb(0)
 
 
-Function = Callable[[arb], tuple[arb, arb]]
-"""A function of time (s) and its rate, enclosed over a ball of times."""
-
-
 def _outside(parts: Sequence[Leg], start: arb, limit: arb, squared: arb, weight: arb) -> Function:
     """Return D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 from a time (s) on: of one motion, or of that less another."""
     motions = [(motion_of(one), start - one.start) for one in parts]
@@ -258,23 +251,16 @@ def _outside(parts: Sequence[Leg], start: arb, limit: arb, squared: arb, weight:
 
 def _last_zero(over: Function, length: arb) -> arb | None:
     """Return the last zero in [0, length] of a function that ends below 0; None if there is none."""
-    waiting = [(arb(0), length.upper())]
-    smallest = length.upper() * arb(2) ** (-working_digits())
-    while waiting:
-        low, high = waiting.pop()
-        # telling inside from outside needs few digits
-        with precision(min(flint.ctx.prec, _SEARCH_BITS)):
-            part, rate = over(low.union(high))
-            if part < 0:
-                continue
-            left, right = over(low)[0], over(high)[0]
-        if right > 0:
-            raise undecided("is the motion inside the ring here?", right)
-        if rate < 0 and left > 0:
-            return falling_root(low, high, over)
-        if not (rate < 0 or rate > 0) or left.contains(0):
-            if high - low < smallest:
-                raise undecided("does the motion touch the ring?", part)
-            middle = ((low + high) / 2).mid()
-            waiting += [(low, middle), (middle, high)]
-    return None
+    zero, end = arb(0), length.upper()
+
+    def backwards(t: arb) -> tuple[arb, arb]:
+        value, rate = over(end - t)
+        return -value, rate
+
+    # telling inside from outside needs few digits
+    least = end * arb(2) ** (-working_digits())
+    with precision(min(flint.ctx.prec, _SEARCH_BITS)):
+        found = first_fall(zero, end, backwards, zero, least)
+    if found is False:
+        raise undecided("does the motion touch the ring?", over(end)[0])
+    return None if found is None else falling_root(end - found[1], end - found[0], over)

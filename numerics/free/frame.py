@@ -35,9 +35,9 @@ class ReducedState(NamedTuple):
 
 
 class Frame:
-    """The constants of one pair in one arithmetic: dimensionless q, r, sqrt_q, two_zeta; SI units of what is reduced.
+    """The constants of one pair in one arithmetic: dimensionless q, r, sqrt_q; SI units of what is reduced.
 
-    These are length, rate, speed and critical_energy. two_zeta = 2 zeta is 0 for a free pair.
+    These are length, rate, speed and critical_energy.
     In float64 rationals are rounded once (0.5 ulp), so roots of them are within 1 ulp and the speed within 3 ulp.
     """
 
@@ -48,7 +48,6 @@ class Frame:
         self.length, self.critical_energy = number(pair.half_width), number(pair.critical_energy)
         self.rate, self.sqrt_q = sqrt(number(pair.a2 / pair.mass)), sqrt(self.q)
         self.speed = self.length * self.rate
-        self.two_zeta = number(pair.a1 / pair.mass) / self.rate
 
     def reduced(self, y: Any, excess: Number | None = None) -> ReducedState:
         """Return (x1, v1, x2, v2) in reduced coordinates; without an excess, w is formed from the state."""

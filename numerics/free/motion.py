@@ -1,18 +1,25 @@
-"""Stick and slip for a1 = 0, each in the variables in which it is free of cancellation: `next_event`, `resolve`.
+"""The free pair (a1 = 0, no force, b constant) from event to event, in balls or mpmath: `run_free`, `excursions`.
 
-Every number is dimensionless (frame.py). A slip lives in the variables of slip.py; a stick phase is one rotation.
+Every motion is known in closed form, in variables in which nothing cancels: a slip in those of slip.py, a stick phase
+is one rotation. So a run takes no step and no sample, and costs as many evaluations as it has events. Every number is
+dimensionless (frame.py).
+
+On an exit ray the state is one number, w = E/E_cr - 1 > 0. The slip ends at the angle theta with h(theta) = sqrt(w/q);
+then w drops by 2 r q K(theta), and the pair sticks until it reaches a ray again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from numerics.arithmetic.functions import as_float, atan2, require_phase, sign, sine_cosine, sqrt
-from numerics.arithmetic.protocol import Number
+from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.contact import contact, ray_contact
-from numerics.free.frame import RAY, STICK, SURFACE, Frame, ReducedState
+from numerics.free.frame import RAY, STICK, SURFACE, Frame, ReducedState, begin
 from numerics.free.slip import Start, first_contact, guard_and_gap, push_at, slid_at
+from numerics.linear.record import How, Knot, Record
+from numerics.scene import Law, Scene
 
 
 class Landing(NamedTuple):
@@ -137,3 +144,67 @@ def state_at(frame: Frame, start: Start, tau: Number) -> ReducedState:
     slid, gap = slid_at(theta, start), guard_and_gap(start, theta)[1]
     V1, V2 = side * (frame.sqrt_q * push_at(start, theta)), side * (frame.sqrt_q * (start.driven - theta))
     return ReducedState(side * (1 + q * gap), V1, V2, start.Z - side * (q * slid), start.w - 2 * frame.r * q * slid)
+
+
+class Excursion(NamedTuple):
+    """One excursion: its excess energy w on the exit ray, the side of that ray, the reduced times of slip and stick.
+
+    `w_after` is the excess after the slip; `stick` is None if the pair has merged (w_after <= 0). Dimensionless.
+    """
+
+    w: Number
+    side: int
+    slip: Number
+    w_after: Number
+    stick: Number | None
+
+
+def excursions(frame: Frame, w: Number, side: int = 1) -> Iterator[Excursion]:
+    """Yield the excursions of a pair that leaves S0 by the ray `side` with excess w > 0, until it merges.
+
+    Crossings of S outside S0 belong to the excursion in which they happen. Raises EventUndecided, OutOfRange. Call it
+    inside the arithmetic's context.
+    """
+    zero = frame.arithmetic.number(0)
+    ray, slip = on_ray(frame, side, zero, w, zero), zero
+    for start, duration in motions(frame, ray):
+        if start.kind == RAY:
+            ray, slip = start, zero
+        if start.kind != STICK:
+            slip = slip + duration
+        else:
+            yield Excursion(ray.w, ray.side, slip, start.w, duration)
+
+
+State4 = tuple[Number, Number, Number, Number]
+Progress = Callable[[int, float], None]
+
+
+def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
+    """Solve a scene with a1 = 0, no force and constant b. Raises EventUndecided, OutOfRange, NoForceHere."""
+    at, number = scene.initial, arithmetic.number
+    with arithmetic.context():
+        frame = Frame(arithmetic, scene.pair)
+        first, until = begin(scene, frame), number(scene.until)
+        horizon, knots = frame.rate * until, list[Knot]()
+        length = zero = first.tau
+        given = number(at.x1), number(at.v1), number(at.x2), number(at.v2)
+        for start, duration in motions(frame, first, scene.law is Law.THREE_VALUED_SGN):
+            here = frame.in_si(event_state(frame, start)) if knots else given
+            knots.append(_knot(start, bool(knots), start.tau / frame.rate, length, here, start.w))
+            if progress is not None and len(knots) % 1000 == 0:
+                progress(len(knots), arithmetic.to_float(start.tau / horizon))
+            left = horizon - start.tau
+            if duration is None or sign(duration - left, "does the next event come before the horizon?") > 0:
+                last = state_at(frame, start, left)
+                end = _knot(start, False, until, left / frame.rate, frame.in_si(last), last.w)
+                how = How.STUCK if duration is None else How.REACHED
+                return Record(knots, end, how, len(knots) - 1)
+            if len(knots) > max_events:
+                break
+            length = duration / frame.rate
+        return Record(knots, knots[-1]._replace(length=zero), How.EVENT_LIMIT, len(knots) - 1)
+
+
+def _knot(start: Start, event: bool, t: Number, length: Number, state: State4, w: Number) -> Knot:
+    return Knot(mode_of(start), order_of(start), event, False, 0, t, length, *state, excess=w)

@@ -38,7 +38,7 @@ from numerics.arithmetic.functions import (
     versine,
 )
 from numerics.arithmetic.protocol import Number
-from numerics.free.root import falling_root
+from numerics.arithmetic.root import falling_root
 
 
 class Start(NamedTuple):

@@ -18,8 +18,8 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.errors import EventUndecided, InvalidScene
-from numerics.plane.answer import PlaneEvent, PlaneState, Working
 from numerics.plane.linear import SIGNS
+from numerics.plane.motion import PlaneEvent, PlaneState, Working
 from numerics.plane.reduced import reduced
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, exact

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 from flint import arb, arb_poly
 
+from numerics.arithmetic.ball import sqrt
 from numerics.plane.defect import Defect, defect
 from numerics.plane.path import OUTSIDE, PlanePath
 from numerics.plane.polynomial import first_root, least
@@ -153,27 +154,19 @@ class LinearPath(PlanePath):
 
     def end_of(self, k: int, s: Vector, found: Defect, norm: arb) -> tuple[arb, arb] | None:
         """Return where a group ends to slip or to stick in a step, and how far that may be off; None if it does not."""
-        axes, b_squared, load = self.system.groups[k], self.drive.b_squared, found.load
+        axes, drive = self.system.groups[k], self.drive
         if k in self.young or self.held:
             return None
-        sign, off = SIGNS[self.mode[axes[0]]], self.system.load_error * norm + found.load_error
-
-        def unsure(size: Vector) -> arb:
-            """Return what |B^-1 Lam|^2 is off, where the load is not larger."""
-            return sum((off[i] * (2 * size[i] + off[i]) / b_squared[i] for i in axes), arb(0)).upper()
-
+        sign = SIGNS[self.mode[axes[0]]]
         if sign:
             root = first_root(s[k] * sign, (self.system.apart[k] * norm).upper())
-        else:
-            inside = 1 - sum(load[i] * load[i] * (1 / b_squared[i]) for i in axes)
-            root = first_root(inside, unsure(self.drive.b), SHORT if k in self.on_edge else 0.0)
+        else:  # of |B^-1 Lam| <= 1 the square is off by 2 |B^-1 off| + |B^-1 off|^2
+            strain = drive.strain(self.system.load_error * norm + found.load_error, axes)
+            inside, off = 1 - drive.strain(found.load, axes), (2 * sqrt(strain) + strain).upper()
+            root = first_root(inside, off, SHORT if k in self.on_edge else 0.0)
         if isinstance(root, bool):
             raise self.undecided("does the slip turn or end" if sign else OUTSIDE)
-        if sign or root is None:
-            return root
-        (x, far), there = root, root[0] + arb(0, root[1])
-        steep, near = -inside.derivative()(there), unsure(Vector(abs(one(there)) for one in load))
-        return x, far.min(((near + abs(inside(x))) / steep).upper()) if steep > 0 else far
+        return root
 
     def resolve(self, k: int, late: arb) -> None:
         """Change the mode of a group at the point, which its event is within `late` (s) of."""

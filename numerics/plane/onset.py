@@ -20,6 +20,7 @@ from typing import Any
 
 from flint import arb, arb_series
 
+from numerics.arithmetic.root import approximate_root
 from numerics.plane.series import Point, Series
 from numerics.plane.system import PlaneDrive, System
 from numerics.plane.vector import Vector
@@ -56,14 +57,13 @@ def onset(system: System, at: Point, load: Vector, m: int) -> Series:
 def first_slip(system: System, drive: PlaneDrive, load: Vector) -> tuple[Vector, arb]:
     """Return g and the rate of h where a slip begins: B g is the point of K nearest to Lam, s' = kap (Lam - B g)."""
     c = system.kappa * drive.b_squared
-    p, h = c * load / drive.b, arb(0)
-    for _ in range(system.bits):
+    p = c * load / drive.b
+
+    def beyond(h: arb) -> tuple[arb, arb]:
         g = p / (c + h)
-        square = g @ g
-        step = (square.sqrt() - 1) * square / (g * g @ (1 / (c + h)))
-        h = (h + step).mid()
-        if abs(step) <= h * arb((1, 8 - system.bits)):
-            break
+        return g @ g - 1, -2 * (g * g @ (1 / (c + h)))
+
+    h = approximate_root(arb(0), (p @ p).sqrt(), beyond)
     return (p / (c + h)).each(arb.mid), h
 
 

@@ -7,12 +7,10 @@ from collections.abc import Callable
 from flint import arb
 
 from numerics.errors import EventUndecided
-from numerics.plane.answer import PlaneEvent
-from numerics.plane.motion import Leg, Motion, drifted, enclosed, middle
+from numerics.plane.motion import Around, Leg, Motion, PlaneEvent, around, drifted, enclosed, middle
 from numerics.plane.series import Friction, Point
 from numerics.plane.system import PlaneDrive, System
 from numerics.plane.vector import Vector, wide
-from numerics.plane.window import Around, around
 
 OUTSIDE = "does the load leave the friction set, or only touch its edge"
 Progress = Callable[[int, float], None]

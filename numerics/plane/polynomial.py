@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import flint
 from flint import arb, arb_poly
 
+from numerics.arithmetic.root import approximate_root, first_fall
+
 _ANY, _ONE = arb(0, 1), arb(1)
-_PARTS = 2**-40
+_SHORTEST = arb((1, -40))
 """Below this width nothing is looked for any more."""
 
 
@@ -33,10 +34,12 @@ def integral_bound(p: arb_poly) -> arb:
     return (p * _ANY).integral()(_ONE).upper()
 
 
-def on(p: arb_poly, a: float, b: float) -> tuple[arb, arb]:
-    """Return p in the middle of [a, b], and a bound on how far it is from that on [a, b]; a and b have few bits."""
-    q = p(arb_poly([(arb(a) + b) / 2, (arb(b) - a) / 2]))  # of a variable between -1 and 1
-    return q[0], total(q - q[0])
+def on(p: arb_poly, x: arb) -> arb:
+    """Return an enclosure of p over a ball, by its polynomial about the midpoint."""
+    if x.is_exact():
+        return p(x)
+    q = p(arb_poly([x.mid(), x.rad()]))  # of a variable between -1 and 1
+    return q[0] + arb(0, total(q - q[0]))
 
 
 def least(p: arb_poly) -> arb:
@@ -44,9 +47,9 @@ def least(p: arb_poly) -> arb:
     found, waiting = arb("inf"), [(0.0, 1.0)]
     while waiting:
         a, b = waiting.pop()
-        first, rest = on(p, a, b)
-        low = (first - rest).lower()
-        if 2 * low < first and b - a > 2**-10:
+        here = on(p, arb((a + b) / 2, (b - a) / 2))
+        low = here.lower()
+        if 2 * low < here.mid() and b - a > 2**-10:
             if not (p(arb(a)) > 0 and p(arb(b)) > 0):
                 return low
             middle = (a + b) / 2
@@ -62,47 +65,24 @@ def first_root(p: arb_poly, error: arb, start: float = 0.0) -> tuple[arb, arb] |
     None if it stays > 0; False if that is not decided. It is > 0 where p > error, < 0 where p < -error, and p itself
     falls between: so its first zero is there.
     """
-    slope, waiting = p.derivative(), [(start, 1.0)]
-    while waiting:
-        a, b = waiting.pop()
-        value, rest = on(p, a, b)
-        if value - rest > error:
-            continue
-        steep, bend = on(slope, a, b)
-        room = -steep - bend
-        if steep > bend and p(arb(a)) > error:
-            continue
-        if room > 0:
-            if p(arb(b)) > error:
-                continue
-            if p(arb(a)) > error and p(arb(b)) < -error:
-                x = _newton(p, slope, arb(a), arb(b))
-                return x, ((error + abs(p(x))) / room).upper()
-        if b - a < _PARTS:
-            return False
-        middle = (a + b) / 2
-        waiting += [(middle, b), (a, middle)]
-    return None
+    slope = p.derivative()
+    found = first_fall(arb(start), _ONE, lambda x: (on(p, x), on(slope, x)), error, _SHORTEST)
+    if not isinstance(found, tuple):
+        return found
+    x, room = _root(p, *found), (-on(slope, found[0].union(found[1]))).lower()
+    missed = error + abs(p(x))
+    # it falls as quickly at least as anywhere so near
+    return x, (missed / room.max((-on(slope, x + arb(0, (missed / room).upper()))).lower())).upper()
 
 
-def _newton(p: arb_poly, slope: arb_poly, low: arb, high: arb) -> arb:
-    """Return about the root of a falling polynomial between two points."""
-    x = (low + high) / 2
-    for _ in range(300):
-        value = p(x).mid()
-        low, high = (x, high) if value > 0 else (low, x)
-        after = (x - value / slope(x)).mid()
-        if not low <= after <= high:
-            after = ((low + high) / 2).mid()
-        if abs(after - x) <= abs(x) * arb((1, -math.ceil(0.9 * flint.ctx.prec))) or after == x:
-            return after
-        x = after
-    return x
+def _root(p: arb_poly, low: arb, high: arb) -> arb:
+    slope = p.derivative()
+    return approximate_root(low, high, lambda x: (p(x), slope(x)))
 
 
 def rise(p: arb_poly, value: arb) -> arb:
     """Return x in [0, 1] at which a rising polynomial has a value, about."""
-    return _newton(value - p, -p.derivative(), arb(0), arb(1))
+    return _root(value - p, arb(0), _ONE)
 
 
 def log2(x: Any) -> float:

@@ -1,7 +1,7 @@
 """The run of a scene: a box, and an ellipsoid, whose slips are not linear; N bounds how far the true motion is.
 
 A motion sticks while Lam = M2 (M1+M2)^-1 (u - A2 q1 - A1 v1) is in K. Where the bound N leaves no doubt that s is not 0
-(or that Lam is inside K), the true motion is in the path's mode; between, short windows remain, in which (window.py
+(or that Lam is inside K), the true motion is in the path's mode; between, short windows remain, in which (motion.py
 says what holds all through one):
 
 - a slip ends, if Lam is inside K: |s|_{kap^-1} is at most N where the path has s = 0, it falls at a rate of at least

@@ -11,22 +11,23 @@ balls are taken, and what they are off is seen in the defect (defect.py).
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from itertools import chain
 from operator import mul
 from typing import Any, NamedTuple
 
-from flint import arb, arb_poly
+from flint import arb, arb_mat, arb_poly
 
 from numerics.plane.polynomial import log2, scaled, two_to
-from numerics.plane.system import PlaneDrive, System, highest
+from numerics.plane.system import PlaneDrive, System
 from numerics.plane.vector import Vector
 
 Friction = Sequence[arb | None]
 """Friction by axes: constant where it slips, None where it holds the axis at rest."""
 _MORE = {True: 6, False: 2}
 """Terms beyond those of s with which the rest follows from it, by its own clock or not; loads are as good as these."""
+_FARTHEST = 2.0**20
+"""log2 of how far a series reaches that ends, as at rest."""
 
 
 class Point(NamedTuple):
@@ -84,7 +85,7 @@ def step_from(at: Point, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse
 class Expansion:
     """Taylor polynomials from a point: of a slip by its own clock sigma, else by the time, with friction that is given.
 
-    `polynomials` of s, v2, q1, t, sines and cosines are those of sigma/unit, a unit about a step.
+    `polynomials`: of s, v2, q1, t, sines and cosines.
     """
 
     def __init__(self, system: System, at: Point, friction: Friction | None = None) -> None:
@@ -93,29 +94,25 @@ class Expansion:
         waves = [*chain(*drive.swing(at.t))]
         powers = [at.t**p for p in range(2, len(drive.polynomial))]
         self.start = [*at.s, *at.v2, *at.q1, at.t, *waves, *powers, arb(1)]
-        rate = 1 / system.period
-        if friction is None:
-            rate = highest(1 / drive.heavy) + drive.friction(at.s)[1] / system.period
-        self.unit = two_to(-round(log2(rate)))
         rows = [[x.mid()] for x in self.start]
-        expand(rows, system, drive, friction, self.unit)
+        expand(rows, system, drive, friction)
         self.polynomials = [*map(arb_poly, rows)]
 
     def reach(self, fast: arb) -> arb:
         """Return how far they reach: there the last two terms are 2^-bits of sizes, `fast` that of s."""
         system, n = self.system, self.system.n
         last, sizes = (system.degree, system.degree - 1), [fast] * n + [system.speed] * n + [system.size] * n
-        found = math.inf
+        found = _FARTHEST
         for p, size in zip(self.polynomials, [*sizes, system.period], strict=False):
             enough = log2(size) - system.bits
             found = min([found, *((enough - log2(p[k])) / k for k in last if p[k] != 0)])
-        return two_to(found) * self.unit if found < math.inf else arb("inf")
+        return two_to(found)
 
     def drawn(self, h: arb) -> Step:
         """Return a step sigma = h x, 0 <= x <= 1."""
         n, drive = self.system.n, self.system.pieces[self.at.piece]
         given = zip(self.polynomials, self.start, strict=True)
-        found = [arb_poly([x, *scaled(one, h / self.unit).coeffs()[1:]]) for one, x in given]
+        found = [arb_poly([x, *scaled(one, h).coeffs()[1:]]) for one, x in given]
         s, v2, q1 = (Vector(found[k : k + n]) for k in (0, n, 2 * n))
         waves = found[3 * n + 1 :][: 2 * len(drive.sines)]
         swing = [*zip(waves[::2], waves[1::2], strict=True)]
@@ -127,8 +124,8 @@ class Expansion:
         return step_from(self.at, found[3 * n], q1, v2, s, impulse, swing)
 
 
-def forms(system: System, drive: PlaneDrive) -> list[list[tuple[arb, int]]]:
-    """Return the rates by the time, as sums of rows with their factors: u - A2 q1 - A1 v1 for s, none for v2, ...
+def rates(system: System, drive: PlaneDrive) -> arb_mat:
+    """Return the matrix of the rates by the time: u - A2 q1 - A1 v1 for s, none for v2, ...
 
     Rows are n of s, v2 and q1 each, t, a sine and a cosine for each phase, t^2, t^3, ... and 1.
     """
@@ -136,42 +133,43 @@ def forms(system: System, drive: PlaneDrive) -> list[list[tuple[arb, int]]]:
     q1, t = 2 * n, 3 * n
     first = t + 1 + 2 * len(drive.sines)
     one = first + max(0, len(drive.polynomial) - 2)
-    powers = [one, t, *range(first, one)]
-    found: list[list[tuple[arb, int]]] = [[] for _ in range(one + 1)]
+    powers, found = [one, t, *range(first, one)], arb_mat(one + 1, one + 1)
     for i in system.axes:
-        push = [(-x[i], q1 + j) for j, x in enumerate(system.a2)]
-        push += [(-x[i], part + j) for part in (0, n) for j, x in enumerate(system.a1)]
-        push += [(x[i], row) for x, row in zip(drive.polynomial, powers, strict=False)]
-        push += [(wave[-1][i], t + 1 + 2 * j) for j, wave in enumerate(drive.sines)]
-        found[i] = [(x, row) for x, row in push if x != 0]
-        found[q1 + i] = [(arb(1), i), (arb(1), n + i)]
+        found[q1 + i, i] = found[q1 + i, n + i] = 1
+        for j in system.axes:
+            found[i, q1 + j] = -system.a2[j][i]
+            if system.a1:
+                found[i, j] = found[i, n + j] = -system.a1[j][i]
+        for x, row in zip(drive.polynomial, powers, strict=False):
+            found[i, row] = x[i]
+        for j, (*_, amplitudes) in enumerate(drive.sines):
+            found[i, t + 1 + 2 * j] = amplitudes[i]
     for p, row in enumerate(powers[1:], start=1):
-        found[row] = [(arb(p), powers[p - 1])]
+        found[row, powers[p - 1]] = p
     for j, (omega, *_) in enumerate(drive.sines):
         sine = t + 1 + 2 * j
-        found[sine], found[sine + 1] = [(omega, sine + 1)], [(-omega, sine)]
+        found[sine, sine + 1], found[sine + 1, sine] = omega, -omega
     return found
 
 
-def expand(rows: list[list[arb]], system: System, drive: PlaneDrive, friction: Friction | None, unit: arb) -> None:
-    """Append coefficients of (sigma/unit)^k to rows with the first (see `forms`).
+def expand(rows: list[list[arb]], system: System, drive: PlaneDrive, friction: Friction | None) -> None:
+    """Append coefficients of sigma^k to rows with the first (see `rates`).
 
     Beyond the degree s ends, and all else goes on with that, as where an axis sticks.
     """
-    n, own, h = system.n, friction is None, [arb(1)]
-    rates = [(form, [arb(0)][:0]) for form in forms(system, drive)]
+    n, own, h, by_time = system.n, friction is None, [arb(1)], rates(system, drive)
+    found, changes = [list[arb]() for _ in rows], [any(row) for row in by_time.tolist()]
 
     def product(one: list[arb], two: list[arb], k: int) -> arb:
         return sum(map(mul, one[: k + 1], two[k::-1]), arb(0))
 
     for k in range(system.degree + _MORE[own]):
-        step, taken = unit / (k + 1), []
         if own:
             square = sum(b * product(s, s, k) for b, s in zip(drive.b_squared, rows, strict=False))
             h[k:] = [(square.sqrt() if k == 0 else (square - product(h[1:], h[1:], k - 2)) / (2 * h[0])).mid()]
-        for form, rate in rates:
-            rate.append(sum((x * rows[j][k] for x, j in form), arb(0)).mid())
-            taken.append(product(rate, h, k) if own and form else rate[k])
+        for rate, x in zip(found, (by_time * arb_mat([[row[k]] for row in rows])).entries(), strict=True):
+            rate.append(x.mid())
+        taken = [product(rate, h, k) if own and does else rate[k] for rate, does in zip(found, changes, strict=True)]
         for i in system.axes:
             if k < system.degree and (friction is None or friction[i] is not None):
                 f = drive.b_squared[i] * rows[i][k] if friction is None else friction[i] if k == 0 else arb(0)
@@ -179,4 +177,4 @@ def expand(rows: list[list[arb]], system: System, drive: PlaneDrive, friction: F
             else:
                 taken[i], taken[n + i] = arb(0), taken[i] / system.mass[i]
         for row, x in zip(rows, taken, strict=True):
-            row.append((x * step).mid())
+            row.append((x / (k + 1)).mid())

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from numerics.plane.answer import Working
 from numerics.plane.box import joined
+from numerics.plane.motion import Working
 from numerics.plane.reduced import reduced
 from numerics.plane.run import PlaneRun
 from numerics.plane.system import System

@@ -139,9 +139,9 @@ class PlaneDrive:
         size = (self.b_squared @ (s * s)).sqrt()
         return self.b_squared * s / size, size
 
-    def strain(self, load: Vector, axes: Sequence[int]) -> arb:
-        """Return |B^-1 Lam|^2 of some axes, at most 1 where the load is in K."""
-        return sum((load[i] * load[i] / self.b_squared[i] for i in axes), arb(0))
+    def strain(self, load: Vector, axes: Sequence[int]) -> Any:
+        """Return |B^-1 Lam|^2 of some axes, at most 1 where the load is in K; of numbers or of polynomials."""
+        return sum((load[i] * load[i] * (1 / self.b_squared[i]) for i in axes), arb(0))
 
 
 def highest(values: Vector) -> arb:

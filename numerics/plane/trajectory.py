@@ -8,19 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from itertools import chain
-from operator import add
 from typing import Any, Self
 
 import numpy as np
 from flint import arb, arb_poly
 
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
-from numerics.plane.answer import PlaneEvent, PlaneState, Working
 from numerics.plane.box import Parts
-from numerics.plane.motion import Leg, Motion
+from numerics.plane.motion import Leg, Motion, PlaneEvent, PlaneState, Working
 from numerics.plane.reduced import reduced
 from numerics.plane.series import Point
-from numerics.plane.system import System
+from numerics.plane.system import System, highest
 from numerics.plane.vector import Vector, exact
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory import export, saved
@@ -108,16 +106,15 @@ class PlaneTrajectory(Answer[str]):
 
         Where that is 0, as at rest, relative to what friction holds.
         """
-        pair, held, energy = self.scene.pair, [], arb(0)
-        for i, (b, mass) in enumerate(zip(pair.b, map(add, pair.m1, pair.m2), strict=True)):
-            stiff, force = Ball.number(pair.a2[i][i]), Ball.number(b)
-            held.append((force / stiff, force / (stiff * Ball.number(mass)).sqrt()))
-            energy = energy.max(force * force / stiff / 2)
+        pair = self.scene.pair
+        b, mass, stiff = exact(pair.b), exact(pair.m1) + exact(pair.m2), exact(row[i] for i, row in enumerate(pair.a2))
+        held = *(b / stiff), *(b / (stiff * mass).each(arb.sqrt))
+        energy = highest(b * b / stiff) / 2
         left: Any = self.final_energy
         found = [(left, energy if left.contains(0) else left), *((x, x) for x in self.event_times)]
         states = np.column_stack([self.event_states, np.ravel(self.final_state)])
         columns = states.reshape(2, 2 * pair.axes, -1).swapaxes(0, 1)
-        for column, least in zip(columns, chain(*zip(*held, strict=True)), strict=True):
+        for column, least in zip(columns, held, strict=True):
             largest = max(abs(x.mid()) for x in column.flat)
             scale = largest if largest > 0 else least
             found += [(x, scale if x.contains(0) else x) for x in column.flat]

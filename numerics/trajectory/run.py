@@ -7,7 +7,7 @@ from collections.abc import Callable
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import OutOfRange
-from numerics.free.engine import run_free
+from numerics.free.motion import run_free
 from numerics.linear.engine import run_linear
 from numerics.scene import Scene
 from numerics.scene.decimals import short

@@ -17,8 +17,8 @@ from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.free.abel import AbelFunctions, arcs
 from numerics.free.contact import contact
 from numerics.free.energy import EnergyMethod, energy_at
-from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
+from numerics.free.motion import excursions
 from numerics.linear.modes import EventKind
 
 FAR = 400

@@ -106,6 +106,8 @@ def test_a_drifting_motion_goes_on_where_the_leg_before_ends(percent):
     force = Force.sine("0.5", 12) + Force.sine("0.3", 24, 1)
     found = response(Scene(DAMPED, State(), 1, force=force), digits=20).orbit
     with Ball(20).context():
+        assert found.legs[0].state[2].contains(0)
+        assert found.legs[0].state[2].rad() < 1e-15
         t = found.drive.period * percent / 100 + arb("0.00123")
         legs = list(found.between(t - found.drive.period / 3, t + found.drive.period / 3))
         for before, after in pairwise(legs):

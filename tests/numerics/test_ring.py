@@ -107,6 +107,18 @@ def test_since_is_the_first_period_that_is_proved_to_stay_as_near_as_asked(monke
     assert apart[0] >= near > max(apart[1:])
 
 
+def test_what_slides_in_the_periods_before_the_end_counts(monkeypatch):
+    """In a period of 3 s more is slid, in metres, than the speed is in metres a second, which is well below `near`."""
+    monkeypatch.setattr(rings, "slide_left", lambda *_: arb(0))
+    scene = Scene(DAMPED, State(v1=1), 20, force=Force.sine(30, 2))
+    orbit = orbit_of(scene)
+    with Ball(24).context():
+        t = (Ball.number(20) - 3 * orbit.drive.period).mid()
+        apart = run_scene(scene, Ball(24)).sol(t) - state_at(orbit.passage_at(t), t)
+        near = 2 * float(orbit.drive.norm.kappa * orbit.drive.norm.of(apart))
+    assert known(scene, near).since > t + 1
+
+
 def test_what_can_still_slide_is_in_the_limit(monkeypatch):
     """@example of a fault that survived: it is far less than the last digits of balls."""
     monkeypatch.setattr(rings, "slide_left", lambda *_: arb("1e-6"))

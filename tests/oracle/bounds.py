@@ -38,7 +38,7 @@ from numerics import (
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.control.orbit import Box
-from numerics.free.engine import run_free
+from numerics.free.motion import run_free
 from numerics.linear.enclosed import run_enclosed
 from numerics.linear.errors_of import errors_of
 from numerics.linear.pieces import starts_of

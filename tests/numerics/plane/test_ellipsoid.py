@@ -15,10 +15,10 @@ from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, NumericsError
 from numerics.plane import run as running
 from numerics.plane.defect import defect, slip_defect
+from numerics.plane.motion import around
 from numerics.plane.passage import drawn_to
 from numerics.plane.series import Expansion, Point
 from numerics.plane.vector import Vector
-from numerics.plane.window import around
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
 

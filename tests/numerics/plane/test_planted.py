@@ -52,6 +52,17 @@ def test_an_event_that_may_come_before_or_after_a_jump_is_in_doubt(scene, off):
                 said(jump, off)
 
 
+@pytest.mark.parametrize("side", [0.99, -0.99])
+def test_a_stick_ends_no_later_or_earlier_than_is_said(side):
+    """What an error in x1 alone moves its load by is all that N allows."""
+    pair, v = PlanePair(1, 1, 200, "0.5"), ["0.05", "0.001"]
+    scene = PlaneScene(pair, "0.03", x1=["0.004", "0.0001"], v1=v, v2=v)
+    (found, *_), (first, *_) = said(scene, 1e-13)[0], said(moved(scene, "x1", 0, side * 1e-13))[0]
+    assert (found.before, found.after) == ("stick", "slip")
+    assert found.t.overlaps(first.t)
+    assert not found.t.overlaps(said(moved(scene, "x1", 0, 10 * side * 1e-13))[0][0].t)
+
+
 @pytest.mark.parametrize(("after", "is_decided"), [(20e-9, False), (400e-9, True)])
 def test_an_end_right_after_the_beginning_of_another_slip_is_in_doubt(after, is_decided):
     """Axis 0 slips from 0 at 0.03 m/s^2, so for 94 times its error it may not yet; axis 1 ends at 0.98 m/s^2."""
@@ -80,6 +91,7 @@ def test_where_a_slip_ends_with_a_load_that_may_just_be_outside_is_in_doubt():
         ((1, "-1.005"), "0.01", False),  # it comes to -0.005, and may stay positive
         (("1e-30", "1e-16", 1), "0.9e-30", None),  # it rises from a little more than its error
         (("1e-30", "1e-16", 1), "1.1e-30", False),
+        (("0.005",), "0.01", False),  # all of it is within its error
     ],
 )
 def test_a_root_counts_where_the_function_surely_falls_below_0(coefficients, error, found):

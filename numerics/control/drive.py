@@ -1,4 +1,4 @@
-"""Whether a pair sticks permanently under a periodic force, and in which motion; whether it grows without a damper.
+"""What drives a pair in the long run, a constant and sines; whether the pair sticks permanently under it, or grows.
 
 The stuck pair is one body of the mass M on the spring. Its own response (`stuck_motion`) is a motion of the pair
 exactly if its load stays within what friction holds at rest; for a1 = 0 others, with a free oscillation, may stick
@@ -7,15 +7,69 @@ where that breaks.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from flint import acb, arb
 
 from numerics.arithmetic.ball import proved_sign, working_digits
-from numerics.control.answers import number
-from numerics.control.orbit import PeriodicDrive
+from numerics.control.answers import KEPT_DIGITS, number, rounded_up
 from numerics.control.thresholds import Thresholds, impedance, load_margin
+from numerics.linear.system import LinearMode, LocalNorm
+from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.largest import largest_size
+from numerics.scene.short_repr import ShortRepr
+
+
+@dataclass(frozen=True, repr=False)
+class PeriodicDrive(ShortRepr):
+    """A pair under a periodic force: sines and a constant (N), t from the start of the run."""
+
+    pair: Pair
+    piece: Piece
+
+    @property
+    def frequency(self) -> Fraction:
+        """Return the greatest frequency of which all are multiples, rad/s; 0 without sines."""
+        return Force((self.piece,)).frequency or Fraction(0)
+
+    @property
+    def period(self) -> arb:
+        """Return T = 2 pi/frequency, s."""
+        return 2 * arb.pi() / number(self.frequency)
+
+    @property
+    def is_odd(self) -> bool:
+        """Return whether u - c changes its sign after half a period, c its constant part; exact."""
+        return all((one.omega / self.frequency) % 2 == 1 for one in self.piece.sines)
+
+    @property
+    def norm(self) -> LocalNorm:
+        """Return N of differences of two motions, N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2, in the arithmetic's context."""
+        return LocalNorm(LinearMode.under(self.pair, 1, self.piece))
+
+    @property
+    def rest(self) -> Fraction:
+        """Return where the constant part of the force holds body 1, m."""
+        return sum(self.piece.polynomial, Fraction(0)) / self.pair.a2
+
+    def one_period(self, begin: Fraction, at: Sequence[Fraction], digits: int = KEPT_DIGITS) -> Scene:
+        """Return a period from a time (s) and (x1, v1, v2) on as a scene; it is rounded up to so many digits."""
+        # a constant part of a phase beyond a turn is kept: the sine is the same function of time
+        sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * begin) for one in self.piece.sines]
+        force, (x1, v1, v2) = Force((Piece(0, self.piece.polynomial, sines),)), at
+        return Scene(self.pair, State(x1, v1, 0, v2), until=rounded_up(self.period, digits), force=force)
+
+
+def last_drive(scene: Scene) -> PeriodicDrive | None:
+    """Return what acts from the last piece of force and friction on; None unless that is a constant and sines."""
+    last = scene.force.pieces[-1] if scene.force.pieces else Piece(0)
+    if len(last.polynomial) > 1:
+        return None
+    pair, b = scene.pair, scene.friction.steps[-1][1] if scene.friction.steps else scene.pair.b
+    added = Force((replace(last, start=Fraction(0)),)) + Force()  # equal sines become one
+    return PeriodicDrive(replace(pair, b=b), added.pieces[0])
 
 
 def stuck_motion(drive: PeriodicDrive, t: arb | int = 0, mass: Fraction | None = None) -> list[arb] | None:

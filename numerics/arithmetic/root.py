@@ -1,4 +1,4 @@
-"""The root of a falling function in its bracket: approximate among points, proved in balls.
+"""The root of a falling function in its bracket, approximate among points, proved in balls; where one falls first.
 
 Newton's method, kept inside the bracket, approximates it. In balls the root is then enclosed by one interval Newton
 step: it exists, and is the only one in the bracket.
@@ -7,6 +7,7 @@ step: it exists, and is the only one in the bracket.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Literal
 
 import flint
 from flint import arb
@@ -28,14 +29,40 @@ def falling_root(lower: Number, upper: Number, function: Function) -> Number:
     the only one where the function falls from end to end. Raises EventUndecided where that is not proved.
     """
     if type(lower) is not arb:
-        return _searched(lower, upper, function)
+        return approximate_root(lower, upper, function)
     with precision(flint.ctx.prec // 2 + 56):
-        near = _searched(lower.mid(), upper.mid(), function)
+        near = approximate_root(lower.mid(), upper.mid(), function)
     return _enclosed(near, lower, upper, function)
 
 
-def _searched(lower: Number, upper: Number, function: Function) -> Number:
-    """Return the root to the last bits, a point.
+def first_fall(
+    low: arb, high: arb, function: Function, error: arb, least: arb
+) -> tuple[arb, arb] | Literal[False] | None:
+    """Return points between which a function of balls first falls from above `error` to below -error, once.
+
+    None if it stays above `error`; False if that is not decided on a part as short as `least`.
+    """
+    waiting = [(low, high)]
+    while waiting:
+        low, high = waiting.pop()
+        value, slope = function(low.union(high))
+        if value > error:
+            continue
+        if slope > 0 or slope < 0:
+            left, right = function(low)[0], function(high)[0]
+            if (left if slope > 0 else right) > error:
+                continue
+            if slope < 0 and left > error and right < -error:
+                return low, high
+        if high - low < least:
+            return False
+        middle = ((low + high) / 2).mid()
+        waiting += [(middle, high), (low, middle)]
+    return None
+
+
+def approximate_root(lower: Number, upper: Number, function: Function) -> Number:
+    """Return the root of a function that falls from lower to upper to the last bits, a point.
 
     The bracket shrinks with every evaluation; a Newton step that would leave it, or that shrinks it too slowly, is
     replaced by bisection, so convergence never depends on the shape of the function.
