@@ -28,11 +28,21 @@ def having(language: str) -> list[str]:
     return [page for page in PAGES if blocks(page, language)]
 
 
-@pytest.mark.parametrize("page", having("python"))
-def test_the_examples_of_a_page_run_one_after_the_other(page, capsys, monkeypatch, tmp_path):
+COARSE = {"range(100)": "range(3)", ", 60)": ", 5)"}
+"""The sweeps of the gallery have as many points as a picture needs; a default run takes few."""
+
+
+@pytest.mark.parametrize(
+    ("page", "changes"),
+    [*((page, COARSE) for page in having("python")), pytest.param("gallery.md", {}, marks=pytest.mark.long)],
+)
+def test_the_examples_of_a_page_run_one_after_the_other(page, changes, capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setitem(mpl.rcParams, "backend", "agg")
-    exec(compile("\n".join(blocks(page, "python")), page, "exec"), {"__name__": "__main__"})
+    code = "\n".join(blocks(page, "python"))
+    for many, few in changes.items():
+        code = code.replace(many, few)
+    exec(compile(code, page, "exec"), {"__name__": "__main__"})
     assert len(capsys.readouterr().out.splitlines()) >= 3
     assert not list(tmp_path.iterdir())
 

@@ -18,9 +18,8 @@ STUCK = Scene(Pair(1, 1, 1, 1), State(-4, 1, 0, 1), 1)
 @pytest.fixture(autouse=True)
 def few_dampers(monkeypatch):
     """The search takes seconds; those that test it have it whole."""
-    monkeypatch.setattr(dampers, "_PER_OCTAVE", 1)
-    monkeypatch.setattr(dampers, "_OCTAVES", 1)
-    monkeypatch.setattr(dampers, "_ZOOMS", 1)
+    for name in ("_PER_OCTAVE", "_OCTAVES", "_ZOOMS"):
+        monkeypatch.setattr(dampers, name, 1)
 
 
 def own(scene, tolerance="0.001", **asked):
@@ -94,10 +93,13 @@ def test_a_pair_that_merges_with_its_critical_orbit_never_rests():
     assert (float(stuck), float(rest)) == (pytest.approx(float(solve(scene).events[-1].t), rel=1e-6), math.inf)
 
 
-def test_next_to_the_best_damper_rest_takes_longer(monkeypatch):
-    monkeypatch.undo()
-    scene = FIGURE.replace(v1=0, x1="0.0004")
-    found = damping(scene, "0.0001", digits=10)
+@pytest.fixture(scope="module")
+def searched():
+    return damping(FIGURE.replace(v1=0, x1="0.0004"), "0.0001", digits=10)
+
+
+def test_next_to_the_best_damper_rest_takes_longer(searched):
+    found, scene = searched, searched.scene
     for factor in ("0.99", "1.01"):
         assert found.at_best.rest < own(scene.replace(a1=found.best * Fraction(factor)), "0.0001").rest
     assert found.at_best.rest < min(one.rest for _, one in found.sampled) + 1e-3

@@ -20,7 +20,7 @@ from numerics.trajectory.status import Status
 
 OURS = 1e-13
 """What both runs of a comparison round, relative to 1."""
-RUNS, BROUGHT, SHARP = (300, 30, 0.4) if can_compile() else (30, 6, 0.3)
+RUNS, BROUGHT, SHARP = (200, 10, 0.4) if can_compile() else (30, 6, 0.3)
 TAKEN = slice(AT["friction"], AT["ledger_error"])
 
 

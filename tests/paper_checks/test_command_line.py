@@ -32,17 +32,9 @@ def small(monkeypatch, tmp_path_factory, rows, figures):
 
 
 @pytest.fixture
-def command(capsys):
+def command(ended):
     """Exit code, output and errors of a command line."""
-
-    def run(line):
-        try:
-            code = main(shlex.split(line))
-        except SystemExit as stop:
-            code = stop.code
-        return code, *capsys.readouterr()
-
-    return run
+    return lambda line: ended(main, shlex.split(line))
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,6 @@
 """Slips on a surface: against the pair on a line, against higher precision, where they begin, graze, settle and end."""
 
 from fractions import Fraction
-from itertools import chain
 
 import numpy as np
 import pytest
@@ -75,8 +74,10 @@ def test_a_near_reversal_turns_and_an_exact_one_passes():
     assert abs(near.final_state.v2[0] - exact.final_state.v2[0]) < 1e-9
 
 
-def test_a_slip_ends_along_the_load_of_a_round_pair():
-    (event,) = solve(load_scene("plane-circle-merges"), digits=15).events
+def test_a_slip_ends_along_the_load_of_a_round_pair_and_its_energy_falls():
+    found = solve(load_scene("plane-circle-merges"), digits=15)
+    (event,) = found.events
+    assert np.all(np.diff([float(x) for x in found.energy]) < 1e-18)
     with Ball(30).context():
         size = sum((x * x for x in event.load), arb(0)).sqrt()
         assert overlap(event.direction, [y / size for y in event.load])
@@ -113,15 +114,6 @@ def test_a_defect_sees_what_friction_lacks():
         _, least = slip_defect(system, step, slip, rate * (arb("1.1") / h))
         squares = slip * slip @ system.pieces[0].b_squared
         assert all(least**2 < squares(arb(n) / 8) for n in range(9))
-
-
-def test_the_state_at_any_time_lies_between_the_events():
-    found = solve(load_scene("plane-slip-turns"), digits=15)
-    with found.context():
-        assert all(overlap(found.sol(event.t), [*chain(*event.y)]) for event in found.events)
-    assert found.y.shape == (12, len(found.events) + 2)
-    energy = [float(x) for x in solve(load_scene("plane-circle-merges"), digits=15).energy]
-    assert np.all(np.diff(energy) < 1e-18)
 
 
 BY_THE_EDGE = """
@@ -202,10 +194,9 @@ def test_a_slip_is_drawn_through_rest_up_to_the_load_at_which_its_direction_is_n
 
 
 def test_a_slip_settles_on_two_axes_quickly_and_slowly_on_the_third():
-    """The two are followed as settled while the third is not yet: else the same slip takes 1500 steps."""
+    """The two are followed as settled while the third is not yet: else the same slip takes many more steps."""
     pair = PlanePair("0.5", 1, 200, ["0.5", "0.5", "0.02"])
     start = {"v1": ["0", "0.0433433", "0.0001"], "v2": ["0", "0.0433433", "0.0001"]}
-    found = solve(PlaneScene(pair, 1, x1=["0.00375375", 0, "0.00001"], **start))
-    assert [one.after for one in found.events] == ["stick"]
-    assert len(found.motion.legs) < 400
-    assert found.digits >= 12
+    run = path_of(PlaneScene(pair, "0.32", x1=["0.00375375", 0, "0.00001"], **start), 20, legs=250)
+    run.follow()
+    assert [(one.after, float(one.t.mid())) for one in run.events] == [("stick", pytest.approx(0.31313599107375))]
