@@ -24,8 +24,20 @@ KINDS = {
 EXTREME = {f"extreme {name}": one for name, one in extreme_scenes.items() if name not in {"ellipsoid", "box"}}
 WAYS = ["float64", "ball"]
 TESTS = Path(__file__).parent.parent
-ELSEWHERE = {"signals", "belts", "cycles", "in-doubt", "left-open", "at-once", "surfaces"}
-"""Scenes of all signals, what floats leave open, and surfaces have tests of their own."""
+ELSEWHERE = [
+    "at-once",
+    "belts",
+    "cycles",
+    "from-the-start",
+    "in-doubt",
+    "left-open",
+    "one-answer",
+    "rest-to-rest",
+    "signals",
+    "slides-to-a-stop",
+    "surfaces",
+]
+"""Scenes of all signals, what floats leave open or can do little with, and surfaces have tests of their own."""
 FOLDERS = [
     f"scenes/{one.name}" for one in sorted((TESTS / "scenes").iterdir()) if one.is_dir() and one.name not in ELSEWHERE
 ]

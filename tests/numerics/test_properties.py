@@ -6,16 +6,17 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
+from scene_files import scenes_in
 from sixty_digits import forced_scene
 from strategies import driven_scenes, scenes
 
-from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, solve
+from numerics import EventUndecided, Force, Friction, Pair, Piece, Sine, State, solve
 
 
 @reaching
 @given(st.one_of(scenes(damped=None), driven_scenes()))
-@example(Scene(Pair(1, 10, 1, 1, 1), State(), 5, force=Force([Piece(0, [0, 0, "0.5"])])))  # a stick without a load
-@example(Scene(Pair(1, 1, 1, 1), State(0, "2.8284", 0, "2.8284"), "2.2", force=Force([Piece("0.8838", [2])])))
+@example(scenes_in("mirrored")["a-stick-without-a-load"])
+@example(scenes_in("mirrored")["a-jump"])
 def test_the_sign_flip_commutes_with_solving_bit_for_bit(scene):
     at = scene.initial
     start = State(-at.x1, -at.v1, -at.x2, -at.v2)

@@ -23,9 +23,7 @@ from numerics import (
     NotDifferentiable,
     NumericsError,
     Pair,
-    Piece,
     Scene,
-    Sine,
     State,
     load_scene,
     sensitivities,
@@ -142,19 +140,7 @@ def test_a_force_from_the_start_on_breaks_a_stick_towards_either_side(height, na
     assert deviation(base, {name: Fraction(1)}, (1,)).size < 1e-50
 
 
-ON_GROUND, SLOWING = Pair(1, "inf", 4, 1), Force([Piece(0, ["0.3", "-0.4"])])
-FROM_THE_START = {
-    "a block on the ground is pushed from rest": Scene(ON_GROUND, State(), 1, force=Force.step(0, 3)),
-    "its spring is drawn": Scene(ON_GROUND, State(), 1, wall=Force.step(0, "0.9")),
-    "it slips on a belt": Scene(ON_GROUND, State(v1=1), "0.5", belt=SLOWING),
-    "it goes with the belt": Scene(ON_GROUND, State(v1="0.3"), 1, belt=SLOWING),
-    "it goes with the belt, and friction falls": Scene(
-        ON_GROUND, State(v1="0.3", x1="0.2"), 1, belt=SLOWING, friction=Friction([(0, "0.5")])
-    ),
-    "the belt starts under it": Scene(ON_GROUND, State(), 1, belt=Force([Piece(0, [0, "0.3"], [Sine(1, 2)])])),
-    "friction begins to hold": Scene(PAIR, State(x1="0.001"), 1, friction=Friction([(0, "0.5")])),
-    "a force turns a slip": Scene(PAIR, State(x1="0.001"), 1, force=Force.step(0, "0.6")),
-}
+FROM_THE_START = scenes_in("from-the-start")
 
 
 @pytest.mark.parametrize("scene", FROM_THE_START.values(), ids=FROM_THE_START)
@@ -168,7 +154,7 @@ def test_what_begins_at_the_start_may_begin_later(scene):
 
 def test_what_friction_read_literally_would_not_bring_back_has_no_derivative():
     """A belt that begins late leaves the stick behind, which no friction b could hold."""
-    scene = Scene(ON_GROUND, State(x1=1), 1, "three-valued-sgn", belt=Force.sine(1, 2))
+    scene = Scene(Pair(1, "inf", 4, 1), State(x1=1), 1, "three-valued-sgn", belt=Force.sine(1, 2))
     with pytest.raises(NotDifferentiable, match=r"where belt\[0\] begins a little later"):
         sensitivities(solve(scene))
 
