@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from inclusion import overlap
 from reaching import LeftOut, reaching
+from scene_files import scenes_in
 from sixty_digits import forced_scene
 from strategies import MODERATE, pairs, states
 
@@ -48,10 +49,8 @@ def test_a_tie_is_decided_by_the_first_derivative_of_the_load_and_a_sine_by_its_
 
 
 def test_long_sticks_on_a_belt_and_under_every_signal_are_gone_through_at_once():
-    still = Scene(Pair(1, "inf", 30, 1, "0.1", b_static="1.6"), State("0.01", "0.1"), 10**9)
+    still, shaken = scenes_in("long-sticks").values()
     assert run(still).status is Status.STUCK_FOR_EVER
-    wall, pull = Force.sine("0.01", 40), Force.constant(1) + Force.sine("0.1", 3)
-    shaken = Scene(Pair(1, 2, 30, 1, "0.1"), State("0.01", "0.1"), 10**6, force_2=pull, wall=wall)
     assert overlap(run(shaken, 40), run(shaken, 80))
 
 

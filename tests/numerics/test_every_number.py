@@ -100,7 +100,7 @@ def test_a_force_of_high_degree_costs_no_digits_between_events():
 
 def test_an_error_that_the_bounds_do_not_know_of_is_noticed():
     scene = Scene(Pair(2, 1, 3, 1, a1=1), State("-0.3", "1.1", 0, -3), until=20)
-    moved = Scene(scene.pair, State("-0.3", Fraction(11, 10) * (1 + Fraction(1, 10**11)), 0, -3), until=20)
+    moved = scene.replace(v1=scene.initial.v1 * (1 + Fraction(1, 10**11)))
     run, truth = solve(scene, arithmetic="float64"), solved_truly(moved)
     with truth.context():
         beyond = {one.name for one in against(run, truth) if one.ratio > 1.0}

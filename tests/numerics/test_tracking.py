@@ -30,7 +30,7 @@ def test_body_2_follows_by_the_reference(pair, name):
 
 def test_what_asks_too_much_is_named_piece_by_piece_with_how_much():
     """Pieces of the reference, and of a friction that falls in time."""
-    found = track(Scene(FREE, State(), 2), (Piece(0, [0, 0, "0.2"]), Piece(1, ["0.2", "0.4", 0, "-0.2"])))
+    found = track(Scene(FREE, State(), 2), REFERENCES["too-fast-in-the-end"])
     assert found.scene is None
     assert [one.possible for one in found.demands] == [True, False]
     assert found.demands[1].force.overlaps(Ball.number(Fraction(6, 5)))
@@ -40,17 +40,11 @@ def test_what_asks_too_much_is_named_piece_by_piece_with_how_much():
 
 
 @pytest.mark.parametrize("digits", [1, 15, 31])
-@pytest.mark.parametrize(
-    ("reference", "excess"),
-    [
-        ((Piece(0, [0, 0, "0.250000000000000000000000000001"]),), Fraction(2, 10**30)),
-        ((Piece(0, [0, "-0.50000025"], [Sine("0.50000025", 1)]),), Fraction(25, 10**8)),
-    ],
-)
-def test_how_much_is_too_much_is_known_to_the_digits_asked_for_however_little_it_is(reference, excess, digits):
-    found = track(Scene(FREE, State(), 4), reference, digits=digits).demands[0]
+@pytest.mark.parametrize(("name", "excess"), [("a-little-too-fast", "2e-30"), ("a-swing-too-fast", "25e-8")])
+def test_how_much_is_too_much_is_known_to_the_digits_asked_for_however_little_it_is(name, excess, digits):
+    found = track(Scene(FREE, State(), 4), REFERENCES[name], digits=digits).demands[0]
     with Ball(100).context():
-        true = Ball.number(excess)
+        true = Ball.number(Fraction(excess))
         assert not found.possible
         assert found.too_much.overlaps(true)
         assert abs(found.too_much - true) < true / 10**digits

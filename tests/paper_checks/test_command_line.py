@@ -37,21 +37,22 @@ def command(ended):
     return lambda line: ended(main, shlex.split(line))
 
 
-@pytest.mark.parametrize(
-    ("line", "code"),
-    [
-        ("energy-rate", 0),
-        ("run energy-rate stiction-bracket", 0),
-        ("--seed 3 energy-rate", 0),
-        ("rate-one-over-t", 1),
-        ("hostile", 3),
-        ("", 1),
-        ("--json stiction-bracket energy-rate", 0),
-    ],
-)
-def test_run_is_the_default_and_the_exit_code_tells(small, command, line, code):
+RUNS = """
+energy-rate                         | 0
+run energy-rate stiction-bracket    | 0
+--seed 3 energy-rate                | 0
+rate-one-over-t                     | 1
+hostile                             | 3
+                                    | 1
+--json stiction-bracket energy-rate | 0
+"""
+
+
+@pytest.mark.parametrize("row", RUNS.strip().splitlines())
+def test_run_is_the_default_and_the_exit_code_tells(small, command, row):
+    line, code = row.split("|")
     found, out, err = command(line)
-    assert (found, err) == (code, "")
+    assert (found, err) == (int(code), "")
     assert "\x1b" not in out
     if "--json" in line:
         assert [item["id"] for item in json.loads(out)] == ["energy-rate", "stiction-bracket"]

@@ -7,8 +7,9 @@ import pytest
 from flint import arb
 from hypothesis import example, given
 from plane_paths import agree, overlap, path_of
+from reaching import LeftOut, reaching
 from scene_files import scenes_in
-from strategies import fewer, plane_scenes
+from strategies import extreme_scenes, fewer, plane_scenes
 
 from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.ball import Ball
@@ -88,18 +89,26 @@ def test_a_slip_ends_along_the_load_of_a_round_pair_and_its_energy_falls():
         assert size < 0.5
 
 
-@given(plane_scenes())
-@example(SURFACES["a-load-of-0-at-the-end-of-a-slip"])
-@example(SURFACES["late"])
-@fewer(5)
-def test_what_a_bound_says_holds_at_more_digits(scene):
-    try:
-        low, high = solve(scene), solve(scene, digits=22)
-    except NumericsError:
-        return
-    with high.context():
-        assert agree((low.events, low._own_moments), (high.events, high._own_moments))
-    assert low.digits == 15
+EXTREME = [pytest.param(extreme_scenes[kind], id=kind, marks=pytest.mark.long) for kind in ("ellipsoid", "box")]
+
+
+@pytest.mark.parametrize("drawn", [pytest.param(plane_scenes(), id="any"), *EXTREME])
+def test_what_a_bound_says_holds_at_more_digits(drawn):
+    @reaching
+    @given(drawn)
+    @example(SURFACES["a-load-of-0-at-the-end-of-a-slip"])
+    @example(SURFACES["late"])
+    @fewer(5)
+    def hold(scene):
+        try:
+            low, high = (solve(scene, digits=digits, max_events=30, max_digits=2000) for digits in (15, 22))
+        except NumericsError:
+            raise LeftOut from None
+        with high.context():
+            assert agree(*((one.events, one._own_moments, one.final_mode) for one in (low, high)))
+        assert low.digits == 15
+
+    hold()
 
 
 def test_a_defect_sees_what_friction_lacks():

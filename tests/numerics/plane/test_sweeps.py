@@ -10,6 +10,7 @@ import pytest
 from batch_numbers import row_numbers
 from hypothesis import given
 from hypothesis import strategies as st
+from scene_files import scenes_in
 from strategies import fewer, plane_scenes
 
 from numerics import Force, NumericsError, PlanePair, PlaneScene, solve, solve_scenes
@@ -18,8 +19,7 @@ from numerics.trajectory.status import Status
 
 PAIR = PlanePair(1, 1, [200, 120], ["0.5", "0.4"], 1)
 PUSHED = [PlaneScene(PAIR, "0.5", x1=["0.012", "0.002"], force=[Force.sine(u, 9)]) for u in (1, 2, 3)]
-ON_THE_EDGE = PlaneScene(PlanePair(1, 1, 200, "0.5"), 1, force=[Force.step("0.5", 1)])
-BEYOND_FLOATS = PlaneScene(PlanePair(1, 1, 1, "1e420"), 1, x1=["1e400", 0])
+ON_THE_EDGE, BEYOND_FLOATS = (scenes_in("surfaces")[name] for name in ("on-the-edge", "beyond-floats"))
 needs_joblib = pytest.mark.skipif(not find_spec("joblib"), reason="joblib is not installed")
 
 
