@@ -24,7 +24,7 @@ needs_joblib = pytest.mark.skipif(not find_spec("joblib"), reason="joblib is not
 
 
 @fewer(5)
-@given(st.lists(plane_scenes(), max_size=3))
+@given(st.lists(plane_scenes(), max_size=2))
 def test_each_row_is_what_solve_says_of_its_scene(drawn):
     scenes = [one for one in [*drawn, PUSHED[0]] if one.pair.axes == [*drawn, PUSHED[0]][0].pair.axes]
     found = solve_scenes(scenes, keep_events=2, jobs=1)
