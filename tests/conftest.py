@@ -47,6 +47,20 @@ def progress_does_not_hang_on_the_clock(monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setattr("numerics.meter._COMMAND", 1e6)
 
 
+@pytest.fixture
+def ended(capsys):
+    """Return `ended(main, ...)`: exit code, output and errors of a command."""
+
+    def told(main, *given):
+        try:
+            code = main(*given)
+        except SystemExit as stop:
+            code = stop.code
+        return code, *capsys.readouterr()
+
+    return told
+
+
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     """Write what was skipped, one test a line, to the file that SKIPPED names, for `pytest @FILE`."""
     if named := os.environ.get("SKIPPED"):

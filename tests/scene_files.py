@@ -2,9 +2,15 @@
 
 from pathlib import Path
 
-from numerics import Scene, load_scene
+from numerics import Scene, State, load_scene
 
 FOLDER = Path(__file__).parent / "scenes"
+
+
+def mirrored(scene: Scene) -> Scene:
+    """Return the scene in which everything points the other way."""
+    at = scene.initial
+    return scene.replace(initial=State(-at.x1, -at.v1, -at.x2, -at.v2), force=-scene.force)
 
 
 def scenes_in(folder: str) -> dict[str, Scene]:

@@ -14,7 +14,7 @@ from hypothesis import given
 from inclusion import faults, motion, overlap, solved
 from reaching import LeftOut, reaching
 from scene_files import scenes_in
-from strategies import drawn
+from strategies import drawn, fewer
 
 from numerics import EventUndecided, Law, load_scene, solve
 from numerics.trajectory.sensitivity import parameters
@@ -38,6 +38,7 @@ def test_any_answer_obeys_the_law(kind):
     """For some events, and in floats it is that of balls; or it is refused at a touch."""
 
     @reaching
+    @fewer(2)
     @given(drawn(KINDS[kind]))
     def holds(scene):
         try:

@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from inclusion import overlap
 from reaching import LeftOut, reaching
+from scene_files import scenes_in
 from sixty_digits import forced_scene
 from strategies import MODERATE, pairs, states
 
@@ -22,35 +23,34 @@ def pushed(*polynomial):
     return Force([Piece(0, polynomial)])
 
 
-ON_GROUND, WITHOUT, SLIPPERY = Pair(1, "inf", 0, 1, b_static="1.5"), Pair(1, 2, 0, 0), Pair(1, 1, 0, "0.01")
+TIED = {"at-rest": Pair(1, "inf", 0, 1, b_static="1.5"), "without": Pair(1, 2, 0, 0), "slippery": Pair(1, 1, 0, "0.01")}
+TIES = """
+at-rest  0 | 1.5           | 0
+at-rest  0 | 1.5 1         | 1
+at-rest  0 | 1.5 -1        | 0
+at-rest  0 | 2             | 1
+without  1 | 0             | 0
+without  1 | 0 1           | 1
+without  1 | 0 -1          | -1
+without  1 | 0 0 -1        | -1
+slippery 0 | sine 1 1 1/3  | 1
+slippery 0 | sine 1 1 -1/3 | -1
+slippery 0 | sine 1 1 -7   | -1
+"""
+"""A pair and its speed; the coefficients of the force, or amplitude, frequency and phase of a sine; the mode."""
 
 
-@pytest.mark.parametrize(
-    ("pair", "v", "force", "mode"),
-    [
-        (ON_GROUND, 0, pushed("1.5"), 0),
-        (ON_GROUND, 0, pushed("1.5", 1), 1),
-        (ON_GROUND, 0, pushed("1.5", -1), 0),
-        (ON_GROUND, 0, pushed(2), 1),
-        (WITHOUT, 1, pushed(), 0),
-        (WITHOUT, 1, pushed(0, 1), 1),
-        (WITHOUT, 1, pushed(0, -1), -1),
-        (WITHOUT, 1, pushed(0, 0, -1), -1),
-        (SLIPPERY, 0, Force.sine(1, 1, "1/3"), 1),
-        (SLIPPERY, 0, Force.sine(1, 1, "-1/3"), -1),
-        (SLIPPERY, 0, Force.sine(1, 1, -7), -1),
-    ],
-)
-def test_a_tie_is_decided_by_the_first_derivative_of_the_load_and_a_sine_by_its_phase(pair, v, force, mode):
+@pytest.mark.parametrize("row", TIES.strip().splitlines())
+def test_a_tie_is_decided_by_the_first_derivative_of_the_load_and_a_sine_by_its_phase(row):
     """At static friction, without friction, and from rest."""
-    assert run(Scene(pair, State(v1=v, v2=v), "0.01", force=force)).signs == [mode]
+    (name, v), (kind, *numbers), (mode,) = map(str.split, row.split("|"))
+    force = Force.sine(*numbers) if kind == "sine" else pushed(kind, *numbers)
+    assert run(Scene(TIED[name], State(v1=v, v2=v), "0.01", force=force)).signs == [int(mode)]
 
 
 def test_long_sticks_on_a_belt_and_under_every_signal_are_gone_through_at_once():
-    still = Scene(Pair(1, "inf", 30, 1, "0.1", b_static="1.6"), State("0.01", "0.1"), 10**9)
+    still, shaken = scenes_in("long-sticks").values()
     assert run(still).status is Status.STUCK_FOR_EVER
-    wall, pull = Force.sine("0.01", 40), Force.constant(1) + Force.sine("0.1", 3)
-    shaken = Scene(Pair(1, 2, 30, 1, "0.1"), State("0.01", "0.1"), 10**6, force_2=pull, wall=wall)
     assert overlap(run(shaken, 40), run(shaken, 80))
 
 

@@ -64,13 +64,16 @@ def test_notebook_imports_and_never_defines_and_is_a_bare_percent_source(name):
     assert notebook.cells[0].cell_type == "markdown"
 
 
-@pytest.mark.slow
-def test_faults_are_seen(fresh_kernel):
+def test_a_definition_in_a_notebook_is_found():
     assert definitions("def f(x):\n    return x\n\nclass A:\n    pass\n\ng = lambda x: x") == [
         "def f(x):\n    return x",
         "class A:\n    pass",
     ]
     assert definitions(f"f = lambda: {' + '.join('x' * LONGEST_LAMBDA)}")
+
+
+@pytest.mark.long
+def test_what_a_notebook_writes_and_raises_is_seen(fresh_kernel):
     silent = jupytext.reads("# %%\nimport sys\nprint(1)\nprint('!', file=sys.stderr)\n", fmt="py:percent")
     assert seen(silent) == (False, ["!\n"])
     with pytest.raises(CellExecutionError):

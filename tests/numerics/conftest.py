@@ -18,15 +18,8 @@ def scene_file(tmp_path) -> Path:
 
 
 @pytest.fixture
-def run(capsys) -> Callable[..., tuple[int, str, str]]:
-    def told(*arguments):
-        try:
-            code = main([str(one) for one in arguments])
-        except SystemExit as stop:
-            code = stop.code
-        return code, *capsys.readouterr()
-
-    return told
+def run(ended) -> Callable[..., tuple[int, str, str]]:
+    return lambda *arguments: ended(main, [*map(str, arguments)])
 
 
 @pytest.fixture

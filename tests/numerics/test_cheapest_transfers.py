@@ -35,7 +35,7 @@ def by_cells(pair, until, cells):
     return u, np.array([np.full(cells, h), h * left - h * h / 2])
 
 
-def least_energy(pair, far, until, cells=160):
+def least_energy(pair, far, until, cells=60):
     """By bounded least squares."""
     h, (u, arrives) = until / cells, by_cells(pair, until, cells)
     weight = 1e4 * np.array([[1 / h], [1 / h / until]])
@@ -46,7 +46,7 @@ def least_energy(pair, far, until, cells=160):
     return h * np.sum((u @ found.x) ** 2)
 
 
-def least_peak(pair, far, until, cells=400):
+def least_peak(pair, far, until, cells=200):
     """By a linear program."""
     u, arrives = by_cells(pair, until, cells)
     within = np.vstack([np.c_[u, -np.ones(cells)], np.c_[-u, -np.ones(cells)]])

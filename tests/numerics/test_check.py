@@ -3,8 +3,9 @@
 import json
 
 import pytest
+from scene_files import scenes_in
 
-from numerics import Pair, Scene, Signal, State, Trajectory, load_scene, solve
+from numerics import Scene, Trajectory, load_scene, solve
 from numerics.linear.record import AT
 from numerics.trajectory.columns import STATE
 from numerics.trajectory.export import bounds_at
@@ -24,9 +25,7 @@ def falsified(row, **changed):
 SCENES = {
     name: load_scene(name)
     for name in ("velocities", "start-at-6mm-literal", "forced-sweep", "forced-friction-by-pieces", "newmark-block")
-} | {
-    "v2 of a belt, off by the rounding of t": Scene(Pair(5, "inf", 20, 5), State(), 5, belt=Signal.sine("0.4", "6.28"))
-}
+} | {"v2 of a belt": scenes_in("belts")["off-by-the-rounding-of-t"]}
 
 
 @pytest.mark.parametrize("how", [{}, {"arithmetic": "ball", "digits": 20}, {"max_events": 10}])

@@ -23,7 +23,7 @@ from numerics.trajectory.export import as_record
     ("name", "how"),
     [
         *(("", one) for one in ({"digits": 30}, {"arithmetic": "float64"}, {"arithmetic": "mpmath"})),
-        ("plane-slip-turns", {"digits": 12}),
+        ("plane-circle-merges", {"digits": 12}),
     ],
 )
 def test_json_and_csv_are_the_record_and_the_table_of_the_run(run, record, scene_file, name, how):
@@ -52,9 +52,9 @@ def test_times_are_rows_of_right_digits(run, record):
     assert run("solve", "plane-box", "--times", "0:1:0.5")[1].startswith("t (s),mode,x1_x (m),x1_y (m)")
 
 
-@pytest.mark.parametrize("name", ["", "plane-slip-turns"])
-def test_a_run_is_written_as_plain_arrays_and_drawn(run, scene_file, tmp_path, name):
-    for flag, file in (("--npz", "run.npz"), ("--plot", "a.svg"), ("--plot", "b.pdf"), ("--plot", "c.png")):
+@pytest.mark.parametrize(("name", "pictures"), [("", ("a.pdf", "b.png")), ("plane-circle-merges", ("a.svg",))])
+def test_a_run_is_written_as_plain_arrays_and_drawn(run, scene_file, tmp_path, name, pictures):
+    for flag, file in (("--npz", "run.npz"), *(("--plot", one) for one in pictures)):
         assert run("solve", name or scene_file, flag, tmp_path / file) == (0, "", "")
         assert (tmp_path / file).stat().st_size > 1000
     found = solve(load_scene(name or scene_file), arithmetic="ball")
@@ -62,7 +62,7 @@ def test_a_run_is_written_as_plain_arrays_and_drawn(run, scene_file, tmp_path, n
         assert all(np.array_equal(archive[one], found.floats(found[one])) for one in ("t", "y", "energy"))
         assert [*archive["modes"]] == [*map(str, found.modes)]
         assert [*archive["event_kinds"]] == [one.value for one in found.event_kinds]
-    assert len([*tmp_path.iterdir()]) == 5
+    assert len([*tmp_path.iterdir()]) == 2 + len(pictures)
 
 
 def test_the_table_and_the_list(run):
@@ -204,9 +204,9 @@ def test_a_shell_completes_commands_flags_and_scenes(monkeypatch):
 
 @pytest.mark.parametrize("ends", ["<&-", ">&-", "2>&-", ">/dev/full"])
 def test_a_stream_that_is_closed_or_full_is_no_traceback(ends):
-    command = f"{sys.executable} -m numerics solve at-rest --arithmetic float64 {ends}"
+    command = f"{sys.executable} -m numerics solve at-rest {ends}"
     ended = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
-    progress = re.sub(r"numba compiles the solver, once for this version\n|\w+ \d+ s\n", "", ended.stderr)
+    progress = re.sub(r"\w+ \d+ s\n", "", ended.stderr)
     assert (ended.returncode, progress.count("\n")) == ((1, 1) if "full" in ends else (0, 0))
 
 

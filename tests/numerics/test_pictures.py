@@ -1,14 +1,13 @@
 """The pictures of a trajectory show what it is: units, sticking, and curves that are its own."""
 
-from dataclasses import replace
-
 import matplotlib as mpl
 import numpy as np
 import pytest
 from matplotlib import pyplot as plt
+from scene_files import scenes_in
 from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
-from numerics import Force, Friction, Mode, Scene, State, solve
+from numerics import Mode, Scene, State, solve
 from numerics.trajectory.curve import sampled
 
 mpl.use("Agg")
@@ -35,19 +34,13 @@ def test_events_are_marked_where_they_are():
     plt.close("all")
 
 
-FORCED = Scene(
-    DAMPED.pair,
-    DAMPED.initial,
-    3,
-    force=Force.trapezoid("0.5", "0.25", 1, 0, 9) + Force.sine(2, 5, "0.3"),
-    friction=Friction([(1, "0.25"), ("1.5", 1)]),
-)
+FORCED = scenes_in("drawn")["every-cause"]
 
 
-@pytest.mark.parametrize("a1", [FORCED.pair.a1, 900])
+@pytest.mark.parametrize("a1", [4, 900])
 @pytest.mark.parametrize("how", [{}, *ARITHMETICS[2:], {"max_events": 3}])
 def test_what_is_drawn_under_a_force_is_the_trajectory(how, a1):
-    run = solve(replace(FORCED, pair=replace(FORCED.pair, a1=a1)), **how)
+    run = solve(FORCED.replace(a1=a1), **how)
     curve, number = sampled(run), run.arithmetic.to_float
     assert len(set(curve.segment)) == len(run.segments) >= 3
     inside = (curve.segment[2:] == curve.segment[:-2]) & (np.diff(curve.t)[1:] > 1e-9)

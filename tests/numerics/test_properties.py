@@ -6,23 +6,21 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
+from scene_files import mirrored, scenes_in
 from sixty_digits import forced_scene
 from strategies import driven_scenes, scenes
 
-from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, solve
+from numerics import EventUndecided, Force, Friction, Pair, Piece, Sine, State, solve
 
 
 @reaching
 @given(st.one_of(scenes(damped=None), driven_scenes()))
-@example(Scene(Pair(1, 10, 1, 1, 1), State(), 5, force=Force([Piece(0, [0, 0, "0.5"])])))  # a stick without a load
-@example(Scene(Pair(1, 1, 1, 1), State(0, "2.8284", 0, "2.8284"), "2.2", force=Force([Piece("0.8838", [2])])))
+@example(scenes_in("mirrored")["a-stick-without-a-load"])
+@example(scenes_in("mirrored")["a-jump"])
 def test_the_sign_flip_commutes_with_solving_bit_for_bit(scene):
-    at = scene.initial
-    start = State(-at.x1, -at.v1, -at.x2, -at.v2)
-    mirrored = scene.replace(initial=start, force=-scene.force)
     for how in ({}, {"digits": 20}):
         try:
-            one, two = (solve(each, max_events=25, **how) for each in (scene, mirrored))
+            one, two = (solve(each, max_events=25, **how) for each in (scene, mirrored(scene)))
         except EventUndecided:
             raise LeftOut from None
         assert one.signs == [-sign for sign in two.signs]
@@ -57,7 +55,7 @@ ROUNDED = ("triangular-wave", "sine-stick-slip", "damping-heavy")
 
 
 @pytest.mark.parametrize(
-    "exponent", [9, 20, -9, -20, *(pytest.param(one, marks=pytest.mark.long) for one in (60, -60))]
+    "exponent", [20, -20, *(pytest.param(one, marks=pytest.mark.long) for one in (9, -9, 60, -60))]
 )
 @pytest.mark.parametrize(
     ("name", "way"), [*((name, "ball") for name in TIES), *((name, "float64") for name in ROUNDED)]

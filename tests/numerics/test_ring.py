@@ -78,7 +78,7 @@ def test_what_helps_where_a_motion_is_not_known_to_settle_is_said(monkeypatch):
 # what is said of all later times
 
 SLIDING = Scene(DAMPED, State(v1=1), 80, force=Force.sine(2, 12))
-FAST = Scene(Pair(3, "0.5", 2_000_000, "0.5", 300), State(v1=1), Fraction("0.3"), force=Force.sine(5, 1200))
+FAST = scenes_in("settling")["a-stiff-pair"]
 """In a period it can slide far less, in metres, than its speed in metres a second."""
 
 

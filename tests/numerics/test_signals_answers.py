@@ -1,7 +1,5 @@
 """What a run answers where belt, wall, force on body 2, varying friction, no spring, or more friction at rest act."""
 
-from fractions import Fraction
-
 import numpy as np
 import pytest
 from scene_files import scenes_in
@@ -11,7 +9,6 @@ from numerics import (
     Pair,
     Scene,
     State,
-    sensitivities,
     solve,
 )
 from numerics.linear.model import TAKEN
@@ -61,15 +58,3 @@ def test_a_pair_without_a_spring_has_no_excess_and_says_so():
     assert np.isnan(run.energy_excess).all()
     assert "excess" not in run.to_csv()
     assert run.final.v1 == run.y[1, -1]
-
-
-def test_only_the_chosen_columns_are_computed():
-    t = [Fraction(k, 50) for k in range(150)]
-    table = Force.samples(t, [Fraction(k * k % 17, 20) for k in range(150)])
-    run = solve(Scene(Pair(1, 1, 200, "0.2"), State(), 3, force=table))
-    found, chosen = sensitivities(run), sensitivities(run, wrt=["b", "force[3].polynomial[0]", "m1"])
-    assert found.wrt == ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1", "until")  # no samples
-    for name in ("b", "m1"):
-        assert (chosen.final[:, chosen.wrt.index(name)] == found.final[:, found.wrt.index(name)]).all()
-    assert abs(chosen.final[:, 1]).max() > 0
-    assert (sensitivities(run, 2, wrt=["m1"])[:, 0] == sensitivities(run, 2)[:, 4]).all()

@@ -1,6 +1,7 @@
 """References that body 2 is to follow: the force against the independent reference, and what friction cannot do."""
 
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from control_scenes import DAMPED, FREE, referred
@@ -9,16 +10,16 @@ from flint import arb
 from numerics import Friction, Pair, Piece, Scene, Sine, State
 from numerics.arithmetic.ball import Ball
 from numerics.control.tracking import track
+from numerics.scene.file import load_reference
 from numerics.scene.largest import over
 
-S_CURVE = (Piece(0, ["0.25", 0, "0.1"]), Piece(1, ["0.35", "0.2", 0, "-0.01"]), Piece(2, ["0.54", "0.17", "-0.03"]))
+REFERENCES = {path.stem: load_reference(path) for path in (Path(__file__).parents[1] / "references").glob("*.toml")}
 
 
-WAVE = (Piece(0, ["0.25", "-0.03"], [Sine("0.01", 3)]),)
-
-
-@pytest.mark.parametrize(("pair", "reference"), [(FREE, S_CURVE), (DAMPED, S_CURVE), (FREE, WAVE), (DAMPED, WAVE)])
-def test_body_2_follows_by_the_reference(pair, reference):
+@pytest.mark.parametrize("pair", [FREE, DAMPED])
+@pytest.mark.parametrize("name", ["s-curve", "wave"])
+def test_body_2_follows_by_the_reference(pair, name):
+    reference = REFERENCES[name]
     found = track(Scene(pair, State(x1="0.002", x2="0.25"), 3), reference)
     run = referred(found.scene)
     assert not run.events
@@ -29,7 +30,7 @@ def test_body_2_follows_by_the_reference(pair, reference):
 
 def test_what_asks_too_much_is_named_piece_by_piece_with_how_much():
     """Pieces of the reference, and of a friction that falls in time."""
-    found = track(Scene(FREE, State(), 2), (Piece(0, [0, 0, "0.2"]), Piece(1, ["0.2", "0.4", 0, "-0.2"])))
+    found = track(Scene(FREE, State(), 2), REFERENCES["too-fast-in-the-end"])
     assert found.scene is None
     assert [one.possible for one in found.demands] == [True, False]
     assert found.demands[1].force.overlaps(Ball.number(Fraction(6, 5)))
@@ -39,43 +40,34 @@ def test_what_asks_too_much_is_named_piece_by_piece_with_how_much():
 
 
 @pytest.mark.parametrize("digits", [1, 15, 31])
-@pytest.mark.parametrize(
-    ("reference", "excess"),
-    [
-        ((Piece(0, [0, 0, "0.250000000000000000000000000001"]),), Fraction(2, 10**30)),
-        ((Piece(0, [0, "-0.50000025"], [Sine("0.50000025", 1)]),), Fraction(25, 10**8)),
-    ],
-)
-def test_how_much_is_too_much_is_known_to_the_digits_asked_for_however_little_it_is(reference, excess, digits):
-    found = track(Scene(FREE, State(), 4), reference, digits=digits).demands[0]
+@pytest.mark.parametrize(("name", "excess"), [("a-little-too-fast", "2e-30"), ("a-swing-too-fast", "25e-8")])
+def test_how_much_is_too_much_is_known_to_the_digits_asked_for_however_little_it_is(name, excess, digits):
+    found = track(Scene(FREE, State(), 4), REFERENCES[name], digits=digits).demands[0]
     with Ball(100).context():
-        true = Ball.number(excess)
+        true = Ball.number(Fraction(excess))
         assert not found.possible
         assert found.too_much.overlaps(true)
         assert abs(found.too_much - true) < true / 10**digits
 
 
-BUMP = (Piece(0, [0, 0, 0, "1/6", "-1/6", "1/20"]),)
-"""r'' = t (1 - t)^2 is largest, 4/27, at t = 1/3, where it turns back."""
-TWO_SINES = (Piece(0, [0, "-0.45"], [Sine("0.3", 1), Sine("0.075", 2)]),)
-"""r'' = -0.3 sin t - 0.3 sin 2t gets to 0.528: each sine alone, and the parabola beside them, is within b."""
+LIMITS = """
+swing     4 | 0.5                            | possible
+swing     4 | 0.49999999999999999999         | too much
+bump      1 | 4/27                           | possible
+bump      1 | 0.1481481481481481481481481481 | too much
+two-sines 7 | 0.6                            | possible
+two-sines 7 | 0.5                            | too much
+"""
+"""References and how long they last (s); b; what it says."""
 
 
-@pytest.mark.parametrize(
-    ("reference", "until", "b", "possible"),
-    [
-        ((Piece(0, [0, "-0.5"], [Sine("0.5", 1)]),), 4, "0.5", True),
-        ((Piece(0, [0, "-0.5"], [Sine("0.5", 1)]),), 4, "0.49999999999999999999", False),
-        (BUMP, 1, "4/27", True),
-        (BUMP, 1, "0.1481481481481481481481481481", False),
-        (TWO_SINES, 7, "0.5", False),
-        (TWO_SINES, 7, "0.6", True),
-    ],
-)
-def test_the_limit_itself_can_be_followed_and_no_more(reference, until, b, possible):
-    found = track(Scene(Pair(1, 1, 200, b), State(), until), reference, digits=25)
-    assert (found.scene is not None) == possible
-    if reference is TWO_SINES:
+@pytest.mark.parametrize("row", LIMITS.strip().splitlines())
+def test_the_limit_itself_can_be_followed_and_no_more(row):
+    asked, b, said = row.split(" | ")
+    name, until = asked.split()
+    found = track(Scene(Pair(1, 1, 200, b), State(), until), REFERENCES[name], digits=25)
+    assert (found.scene is not None) == (said == "possible")
+    if name == "two-sines":
         assert float(found.demands[0].force) == pytest.approx(0.528, abs=1e-3)
     else:
         assert found.is_at_limit

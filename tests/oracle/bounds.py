@@ -13,7 +13,6 @@ from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
-from enclosed_runs import ONE_ANSWER
 from kernel_runs import BOUNDS, a_scene, errors
 from kernel_runs import run as run_kernel
 from scene_files import scenes_in
@@ -51,7 +50,16 @@ FROZEN = HERE / "bounds.json.xz"
 Numbers = list[float]
 Frozen = dict[str, dict[str, Numbers]]
 ENDS = [*BOUNDS, AT["speed_error"], AT["ledger_error"]]
-FOLDERS = "differentiated", "followed", "followed-in-balls", "no-ties", "passed-over", "proved", "weakened"
+FOLDERS = [
+    "differentiated",
+    "followed",
+    "followed-in-balls",
+    "no-ties",
+    "one-answer",
+    "passed-over",
+    "proved",
+    "weakened",
+]
 PROVE = "if a bound became smaller, or a doubt (number 0) begins later, prove it; if larger, it is a loss; then"
 CHANGED = f"{PROVE} freeze anew with `python -m oracle.bounds`, from tests"
 NEAR, HALVINGS, EVENTS = 1.003, 14, 8
@@ -89,7 +97,7 @@ STUCK = Scene(Pair(1, 1, 200, "0.5", 6), State("-0.0003", "0.0075", 0, "0.0075")
 
 
 def scenes() -> dict[str, Scene]:
-    found = {name: forced_scene(name) for name in FORCED} | {name: scene for name, (scene, _) in ONE_ANSWER.items()}
+    found = {name: forced_scene(name) for name in FORCED}
     found |= {f"{folder}/{name}": scene for folder in FOLDERS for name, scene in scenes_in(folder).items()}
     found |= {name: load_scene(name) for name in shipped_scenes() if name not in PROBLEMS} | {"stuck": STUCK}
     return {name: scene for name, scene in found.items() if isinstance(scene, Scene)}

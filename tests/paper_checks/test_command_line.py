@@ -32,34 +32,27 @@ def small(monkeypatch, tmp_path_factory, rows, figures):
 
 
 @pytest.fixture
-def command(capsys):
+def command(ended):
     """Exit code, output and errors of a command line."""
-
-    def run(line):
-        try:
-            code = main(shlex.split(line))
-        except SystemExit as stop:
-            code = stop.code
-        return code, *capsys.readouterr()
-
-    return run
+    return lambda line: ended(main, shlex.split(line))
 
 
-@pytest.mark.parametrize(
-    ("line", "code"),
-    [
-        ("energy-rate", 0),
-        ("run energy-rate stiction-bracket", 0),
-        ("--seed 3 energy-rate", 0),
-        ("rate-one-over-t", 1),
-        ("hostile", 3),
-        ("", 1),
-        ("--json stiction-bracket energy-rate", 0),
-    ],
-)
-def test_run_is_the_default_and_the_exit_code_tells(small, command, line, code):
+RUNS = """
+energy-rate                         | 0
+run energy-rate stiction-bracket    | 0
+--seed 3 energy-rate                | 0
+rate-one-over-t                     | 1
+hostile                             | 3
+                                    | 1
+--json stiction-bracket energy-rate | 0
+"""
+
+
+@pytest.mark.parametrize("row", RUNS.strip().splitlines())
+def test_run_is_the_default_and_the_exit_code_tells(small, command, row):
+    line, code = row.split("|")
     found, out, err = command(line)
-    assert (found, err) == (code, "")
+    assert (found, err) == (int(code), "")
     assert "\x1b" not in out
     if "--json" in line:
         assert [item["id"] for item in json.loads(out)] == ["energy-rate", "stiction-bracket"]
@@ -99,34 +92,32 @@ def test_a_file_is_compared_with_the_source(command, tmp_path):
     assert "is not the text of the paper that was checked" in out
 
 
-WRITTEN = "the report cannot be written: 'file' is a file; choose another folder with --out"
+MISTAKES = """
+energy-rat                    | 2 | unknown claim 'energy-rat'; did you mean energy-rate, viscous-energy-rate?
+run --nonsense                | 2 |
+--jobs 0                      | 2 |
+source nowhere.tex            | 2 | cannot be read: No such file or directory
+report --format html,docx     | 2 |
+report --out ''               | 2 |
+report --out file/in          | 2 | the report cannot be written: 'file' is a file; choose another folder with --out
+report --trade nowhere.json   | 2 | nowhere.json cannot be read: No such file or directory
+report --format html,pdf      | 3 | pdflatex
+report                        | 3 | this needs sympy
+"""
 
 
-@pytest.mark.parametrize(
-    ("line", "without", "code", "told"),
-    [
-        ("energy-rat", None, 2, "unknown claim 'energy-rat'; did you mean energy-rate, viscous-energy-rate?"),
-        ("run --nonsense", None, 2, ""),
-        ("--jobs 0", None, 2, ""),
-        ("source nowhere.tex", None, 2, "cannot be read: No such file or directory"),
-        ("report --format html,docx", None, 2, ""),
-        ("report --out ''", None, 2, ""),
-        ("report --out file/in", None, 2, WRITTEN),
-        ("report --trade nowhere.json", None, 2, "nowhere.json cannot be read: No such file or directory"),
-        ("report --format html,pdf", "pdflatex", 3, latex.REMEDY),
-        ("report", "sympy", 3, "this needs sympy"),
-    ],
-)
-def test_a_mistake_is_one_line_before_anything_runs(monkeypatch, command, tmp_path, line, without, code, told):
+@pytest.mark.parametrize("row", MISTAKES.strip().splitlines())
+def test_a_mistake_is_one_line_before_anything_runs(monkeypatch, command, tmp_path, row):
+    """A missing tool is one, too."""
+    line, code, told = map(str.strip, row.split("|"))
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").write_text("")
     monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
-    if without == "pdflatex":
-        monkeypatch.setattr(latex, "missing", lambda: latex.REMEDY)
-    elif without:
-        monkeypatch.setitem(sys.modules, without, None)
+    monkeypatch.setattr(latex, "missing", lambda: latex.REMEDY)
+    if line == "report":
+        monkeypatch.setitem(sys.modules, "sympy", None)
     found, out, err = command(line)
-    assert (found, out, err[:7], err.count("\n")) == (code, "", "error: ", 1)
+    assert (found, out, err[:7], err.count("\n")) == (int(code), "", "error: ", 1)
     assert told in err
 
 

@@ -20,6 +20,7 @@ from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 from strategies import driven_scenes, free_motions, magnitudes
 from theory_values import energy_of, exact, start_of
+from three_scenes import PAPER as SLIPS
 
 from numerics import EventUndecided, Force, Law, Mode, OutOfRange, Pair, Scene, State, Trajectory, solve
 
@@ -30,8 +31,7 @@ parts = st.sets(st.integers(0, 1000), min_size=2, max_size=3).map(
 )
 motions = st.one_of(free_motions(), free_motions(damped=True), free_motions(law=Law.THREE_VALUED_SGN))
 
-SLIPS = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
-DAMPED = Scene(Pair(1, 1, 200, "0.5", "0.4"), State(v1="0.15"), until=3)
+DAMPED = SLIPS.replace(a1="0.4")
 OVERDAMPED = Scene(Pair(1, 9000, 1, 1, 170_000), State("0.001", "0.5", 0, "0.00001"), until=900)
 
 

@@ -8,7 +8,7 @@ from plane_paths import agree
 from scene_files import scenes_in
 from strategies import fewer, plane_scenes
 
-from numerics import Force, solve
+from numerics import solve
 from numerics.arithmetic.ball import Ball
 from numerics.errors import NumericsError
 from numerics.plane.solve import followed
@@ -16,15 +16,7 @@ from numerics.scene.plane import PlanePair, PlaneScene
 
 
 @given(plane_scenes(shape="box"))
-@example(  # axes 0, 1 and axis 2 are parts; all at once they have bounds 10^10 times too large
-    PlaneScene(
-        PlanePair(1, 1, [[200, 50, 0], [50, 120, 0], [0, 0, 90]], ["0.5", "0.3", "0.2"], shape="box"),
-        "0.5",
-        x1=["0.02", 0, "0.01"],
-        v1=["0.1", "-0.2", "0.05"],
-        force=[Force(), Force.step("0.1", 1), Force.sine(1, 7)],
-    )
-)
+@example(scenes_in("surfaces")["a-pair-of-axes-and-one-alone"])
 @fewer(5)
 def test_both_roads_agree_and_more_digits_stay_in_the_bounds(scene):
     try:

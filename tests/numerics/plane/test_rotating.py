@@ -64,5 +64,4 @@ def test_the_commands_know_a_surface(output, record, tmp_path):
     assert (event["from"], event["to"]) == ("slip", "stick")
     assert [len(event[name]) for name in ("x1", "x1_radius", "load")] == [2, 2, 2]
     assert "0.0800000000000000" in output("response", "plane-rotating-force", "--plot", tmp_path / "a.svg")
-    output("solve", "plane-circle-merges", "--digits", 8, "--plot", tmp_path / "b.svg")
-    assert [one.stat().st_size > 10_000 for one in tmp_path.iterdir()] == [True, True]
+    assert (tmp_path / "a.svg").stat().st_size > 10_000

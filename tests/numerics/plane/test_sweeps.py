@@ -10,6 +10,7 @@ import pytest
 from batch_numbers import row_numbers
 from hypothesis import given
 from hypothesis import strategies as st
+from scene_files import scenes_in
 from strategies import fewer, plane_scenes
 
 from numerics import Force, NumericsError, PlanePair, PlaneScene, solve, solve_scenes
@@ -18,13 +19,12 @@ from numerics.trajectory.status import Status
 
 PAIR = PlanePair(1, 1, [200, 120], ["0.5", "0.4"], 1)
 PUSHED = [PlaneScene(PAIR, "0.5", x1=["0.012", "0.002"], force=[Force.sine(u, 9)]) for u in (1, 2, 3)]
-ON_THE_EDGE = PlaneScene(PlanePair(1, 1, 200, "0.5"), 1, force=[Force.step("0.5", 1)])
-BEYOND_FLOATS = PlaneScene(PlanePair(1, 1, 1, "1e420"), 1, x1=["1e400", 0])
+ON_THE_EDGE, BEYOND_FLOATS = (scenes_in("surfaces")[name] for name in ("on-the-edge", "beyond-floats"))
 needs_joblib = pytest.mark.skipif(not find_spec("joblib"), reason="joblib is not installed")
 
 
 @fewer(5)
-@given(st.lists(plane_scenes(), max_size=3))
+@given(st.lists(plane_scenes(), max_size=2))
 def test_each_row_is_what_solve_says_of_its_scene(drawn):
     scenes = [one for one in [*drawn, PUSHED[0]] if one.pair.axes == [*drawn, PUSHED[0]][0].pair.axes]
     found = solve_scenes(scenes, keep_events=2, jobs=1)

@@ -37,17 +37,11 @@ def test_a_ball_contains_its_constant(value):
 
 
 @pytest.mark.parametrize(
-    ("value", "places", "shown"),
-    [
-        ("4.54976948", 4, "4.5498"),
-        ("-0.0004", 3, "0.000"),
-        ("-0.0016", 3, "-0.002"),
-        ("64.9", 0, "65"),
-        ("0.5", 1, "0.5"),
-    ],
+    "row", ["4.54976948 4 4.5498", "-0.0004 3 0.000", "-0.0016 3 -0.002", "64.9 0 65", "0.5 1 0.5"]
 )
-def test_a_ball_is_rounded_to_decimals(value, places, shown):
-    assert rounded(arb(value), places) == shown
+def test_a_ball_is_rounded_to_decimals(row):
+    value, places, shown = row.split()
+    assert rounded(arb(value), int(places)) == shown
 
 
 def test_a_ball_that_rounds_to_two_decimals_is_refused():

@@ -32,12 +32,12 @@ def test_axes_have_labels_with_units_and_a_legend(name):
     assert caption(name)[1]
 
 
-QUICK = ("force-needed", "merging-interval")
-"""Drawn twice by the default run, as they take little; the `long` tests draw all of them twice."""
+QUICK = "force-needed"
+"""Drawn twice by the default run, as it takes little; the `long` tests draw all of them twice."""
 
 
 @pytest.mark.parametrize(
-    "name", [name if name in QUICK else pytest.param(name, marks=pytest.mark.long) for name in FIGURES]
+    "name", [name if name == QUICK else pytest.param(name, marks=pytest.mark.long) for name in FIGURES]
 )
 def test_bytes_depend_on_the_figure_alone(name, monkeypatch):
     first = vector.svg(FIGURES[name]()), vector.pdf(FIGURES[name]())

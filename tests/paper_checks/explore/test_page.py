@@ -32,10 +32,9 @@ def test_the_rows_that_it_names_are_in_the_ledger():
     assert named <= {claim.id for claim in CLAIMS}
 
 
-def test_the_command_writes_the_page_or_says_in_one_line_why_it_cannot(tmp_path, whole, capsys):
+def test_the_command_writes_the_page_or_says_in_one_line_why_it_cannot(tmp_path, whole, ended):
     target = tmp_path / "new" / "explore.html"
-    assert main(["explore", "--out", str(target)]) == 0
+    assert ended(main, ["explore", "--out", str(target)]) == (0, f"{target}\n", "")
     assert target.read_text("utf-8") == whole
-    assert capsys.readouterr().out == f"{target}\n"
-    assert main(["explore", "--out", str(target / "explore.html")]) == 2
-    assert capsys.readouterr().err.startswith("error: the page cannot be written: ")
+    code, _, error = ended(main, ["explore", "--out", str(target / "explore.html")])
+    assert (code, error[:35]) == (2, "error: the page cannot be written: ")

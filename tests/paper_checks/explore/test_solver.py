@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from chromium import faults, planted
+from scene_files import mirrored
 from sixty_digits import forced_scene
 
 from numerics import Force, Pair, Piece, Scene, Sine, State, solve
@@ -30,12 +31,6 @@ def scene_of(ratio, zeta, X, V1, V2, constant=0, amplitude=0, omega=1, law="fili
     pair = Pair(q, 1 - q, 1, 1 - q, 2 * zeta)
     force = Force([Piece(0, [pair.b * constant], [Sine(pair.b * amplitude, omega)])])
     return Scene(pair, State(X, V1, 0, V2), 40, law, force=force if constant or amplitude else Force())
-
-
-def mirrored(scene):
-    """The scene in which everything points the other way."""
-    at = scene.initial
-    return scene.replace(force=-scene.force, initial=State(-at.x1, -at.v1, -at.x2, -at.v2))
 
 
 @pytest.fixture(scope="module")

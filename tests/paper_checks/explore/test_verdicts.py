@@ -1,7 +1,9 @@
 """What the page says of a motion, on both sides of each threshold, in headless Chromium; and its rule at a tie."""
 
+import tomllib
 from dataclasses import replace
 from math import pi
+from pathlib import Path
 
 import pytest
 from chromium import faults, planted
@@ -10,39 +12,10 @@ from numerics import Force, Pair, Scene, State, solve
 from paper_checks.explore.page import SOLVER, source
 from paper_checks.explore.scenes import ReducedScene
 
-LEVEL = (pi / 2 - 1) ** 2 / 3
-"""Excess energy up to which the pair with m1/m2 = 1/2 never merges."""
-
-
-def at_centre(ratio: float, excess: float) -> ReducedScene:
-    """Sticking at X = 0 with so much above E_cr, for a while in which nothing happens."""
-    speed = (1 + excess) ** 0.5
-    return ReducedScene(ratio=ratio, V1=speed, V2=speed, until=0.5)
-
-
 SINE = ReducedScene(zeta=0.1, omega=0.7, until=400)
-STUCK = 2 * ((1 - 0.7**2) ** 2 + (0.2 * 0.7) ** 2) ** 0.5 / 0.7**2
-"""Amplitude up to which that pair is entrained."""
 SETTLING = [replace(SINE, amplitude=1.0, V1=0.4, V2=0.4, until=float(until)) for until in range(110, 175, 8)]
-EXPECTED = {
-    at_centre(0.5, 0.999 * LEVEL): "Creeps",
-    at_centre(0.5, 1.001 * LEVEL): "Not merged yet",
-    at_centre(0.7926, 0.5): "Not merged yet",
-    at_centre(0.79264, 0.5): "Creeps",
-    at_centre(0.5, -0.001): "Sticks permanently",
-    ReducedScene(constant=1.8, V1=0.8, V2=0.8, until=0.1): "Creeps",  # E/E_cr = 1.45 about the moved centre
-    ReducedScene(constant=4, X=2.5, until=3): "Sticks permanently",
-    replace(SINE, amplitude=0.99 * STUCK): "Entrained",
-    replace(SINE, amplitude=1.002 * STUCK): "Stick and slip",
-    replace(SINE, amplitude=10.0): "Slips all the time",
-    replace(SINE, amplitude=1.0, until=17.9): "Driven",  # just shorter than two periods, 17.952
-    ReducedScene(
-        zeta=0.3, X=-0.452, V1=-0.88, V2=-0.88, until=0.05
-    ): "Not settled yet",  # 0.979 E_cr; it slips at 0.0815
-    ReducedScene(
-        zeta=0.05, amplitude=0.3, omega=1.0, until=20
-    ): "Stuck so far",  # at 1.5 U*, where none sticks for ever
-}
+VERDICTS = tomllib.loads(Path(__file__).with_name("verdicts.toml").read_text("utf-8"))["verdicts"]
+EXPECTED = {ReducedScene(**one["scene"]): one["said"] for one in VERDICTS}
 FORCE = Force.sine("0.5", "0.7")
 """The same for the pair with b = 1/2."""
 FAULTS = faults("verdicts")

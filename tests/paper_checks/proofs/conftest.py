@@ -30,15 +30,11 @@ def store(tmp_path):
 
 
 @pytest.fixture
-def command(monkeypatch, capsys):
+def command(monkeypatch, ended):
     """Exit code, output and errors of `python -m paper_checks.proofs`."""
 
     def run(*words):
         monkeypatch.setattr("sys.argv", ["paper_checks.proofs", *map(str, words)])
-        try:
-            code = main()
-        except SystemExit as stop:
-            code = stop.code
-        return code, *capsys.readouterr()
+        return ended(main)
 
     return run

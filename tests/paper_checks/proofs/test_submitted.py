@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from scene_files import scenes_in
 
-from numerics import Force, Friction, Pair, Scene, State, load_scene, solve
+from numerics import Scene, State, load_scene, solve
 from numerics.trajectory import theorem as writer
 from numerics.trajectory.theorem import theorem
 from paper_checks.proofs import submitted
@@ -16,24 +16,9 @@ from paper_checks.proofs.audit import CLASSICAL_REALS
 from paper_checks.proofs.sources import FOLDER
 from paper_checks.proofs.submitted import judged
 
-SMALL = Scene(Pair(1, 1, 200, "0.05"), State(x1="0.00035", v1="0.0055", v2="0.0055"), until="0.4")
-"""Stick, slip, stick, slip."""
-HARD = Pair(1, 1, 200, "0.5")
-FORCED = Scene(HARD, State(v1="0.15"), until="0.6", force=Force.step("0.1", 3) + Force.sine("0.7", 5))
-EVERYTHING = FORCED.replace(
-    pair=Pair(1, 2, 200, "0.5", 20),
-    until="0.9",
-    force=FORCED.force + Force.step("0.3", "-2.9") + Force.sine("-0.7", 5, start="0.3"),
-    friction=Friction([("0.28", "0.4")]),
-)
-"""It crosses v1 = v2, sticks, is torn loose by a jump whose float lies before it, and at last sticks for ever."""
+SMALL, FORCED, EVERYTHING = (scenes_in("submitted")[name] for name in ("small", "forced", "everything"))
 SHORT = scenes_in("left-open")["friction-from-a-time-that-floats-do-not-hold"].replace(until="0.2")
 SCENES, EVER = scenes_in("proved") | {"a spell of 1e-400 s": SHORT}, scenes_in("proved-for-ever")
-
-
-def at_speed(speed, until):
-    """A stick from 4 mm: for ever up to 0.03 m/s, where its energy is critical."""
-    return Scene(HARD, State("0.004", speed, 0, speed), until)
 
 
 PLANTED = tomllib.loads((Path(__file__).parents[2] / "planted_trajectories.toml").read_text("utf-8"))
@@ -106,7 +91,8 @@ def test_trajectories_of_every_kind_are_accepted(judge, scene):
 @pytest.mark.long
 @needs_kernel
 def test_a_stick_that_breaks_is_not_accepted_for_ever(judge):
-    text = proof(at_speed("0.0300001", "0.01"))
+    """Up to 0.03 m/s it does not, where its energy is critical."""
+    text = proof(Scene(FORCED.pair, State("0.004", "0.0300001", 0, "0.0300001"), "0.01"))
     assert judge(text).holds is True
     planted = changed(text, r"(Definition the_ending.*?) false\.", r"\1 true.")
     assert judge(planted).holds is False

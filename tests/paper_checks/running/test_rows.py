@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 import pytest
-from dying_process import dies_of_energy_rate
+from dying_process import answers_or_dies
 from interruption import interrupted
 
 from paper_checks.claims import CLAIMS, claim_named
@@ -13,6 +13,7 @@ from paper_checks.decide import kernel
 from paper_checks.evidence.finding import Verdict
 from paper_checks.proofs import library
 from paper_checks.report.formats.progress import Claims as Shown
+from paper_checks.running import processes
 from paper_checks.running import rows as running
 from paper_checks.running.runner import Context
 
@@ -48,14 +49,18 @@ def test_only_the_theorems_of_the_claims_are_asked_for_and_the_files_that_are_co
     assert len(running.theorems(CLAIMS)) > 100
 
 
-def test_a_process_that_ends_costs_its_own_row_only(monkeypatch, no_theorem_is_known):
+def test_a_process_that_ends_costs_its_own_task_only():
+    found = dict(processes.answers(["one", "lost", "other"], 2, answers_or_dies, "!"))
+    assert isinstance(found.pop("lost"), processes.Ended)
+    assert found == {"one": "one!", "other": "other!"}
+
+
+def test_a_row_whose_process_ended_is_undecided(monkeypatch, no_theorem_is_known):
     monkeypatch.setenv("PATH", "")
-    monkeypatch.setattr(running, "found", dies_of_energy_rate)
-    claims = [claim_named(name) for name in QUICK]
-    lost, *others = running.rows(claims, Context(), 2)
-    assert (lost.claim.id, lost.finding.verdict) == ("energy-rate", Verdict.UNDECIDED)
-    assert "its process ended" in lost.finding.reason
-    assert [row.finding.verdict for row in others] == [claim.recorded for claim in claims[1:]]
+    monkeypatch.setattr(processes, "answers", lambda names, *_: ((one, processes.Ended()) for one in names))
+    for lost in running.rows([claim_named(name) for name in QUICK], Context(), 2):
+        assert lost.finding.verdict is Verdict.UNDECIDED
+        assert "its process ended" in lost.finding.reason
 
 
 def test_the_bytes_are_the_same_from_one_process_and_from_two_and_nothing_is_kept(tmp_path, monkeypatch):
