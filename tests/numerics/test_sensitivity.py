@@ -172,7 +172,7 @@ def test_what_begins_at_the_start_may_begin_later(scene):
 
 
 def test_a_body_that_sticks_to_a_belt_goes_with_it_by_every_number():
-    assert compared(FROM_THE_START["it goes with the belt"]).size < 1e-50
+    assert compared(FROM_THE_START["it-goes-with-the-belt"]).size < 1e-50
 
 
 def test_what_friction_read_literally_would_not_bring_back_has_no_derivative():
