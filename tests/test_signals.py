@@ -19,10 +19,6 @@ def run(scene, digits=30, **how):
     return solve(scene, arithmetic="ball", digits=digits, **how)
 
 
-def pushed(*polynomial):
-    return Force([Piece(0, polynomial)])
-
-
 TIED = {"at-rest": Pair(1, "inf", 0, 1, b_static="1.5"), "without": Pair(1, 2, 0, 0), "slippery": Pair(1, 1, 0, "0.01")}
 TIES = """
 at-rest  0 | 1.5           | 0
@@ -44,7 +40,7 @@ slippery 0 | sine 1 1 -7   | -1
 def test_a_tie_is_decided_by_the_first_derivative_of_the_load_and_a_sine_by_its_phase(row):
     """At static friction, without friction, and from rest."""
     (name, v), (kind, *numbers), (mode,) = map(str.split, row.split("|"))
-    force = Force.sine(*numbers) if kind == "sine" else pushed(kind, *numbers)
+    force = Force.sine(*numbers) if kind == "sine" else Force([Piece(0, (kind, *numbers))])
     assert run(Scene(TIED[name], State(v1=v, v2=v), "0.01", force=force)).signs == [int(mode)]
 
 
@@ -85,9 +81,8 @@ def test_a_force_of_zero_is_no_force(pair, data):
 
 def test_what_begins_at_a_tie_of_high_order_may_end_soon():
     """With u = 2 b + c t^2/2 - d t^3/6 and a soft spring a slip begins at once and ends at 4 c/d, nearly."""
-    force = pushed(2, 0, "0.5", -10)
     for arithmetic in ("ball", "float64"):
-        found = solve(Scene(Pair(1, 1, "1e-6", 1), State(), 1, force=force), arithmetic=arithmetic)
+        found = solve(scenes_in("far-out")["it-slips-shortly-from-a-tie"], arithmetic=arithmetic)
         assert found.signs == [1, 0, -1]
         assert abs(float(found.event_times[0]) - 4 / 60) < 1e-7
 

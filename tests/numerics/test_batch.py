@@ -80,7 +80,7 @@ def test_a_list_of_scenes_goes_on_in_balls_where_floats_leave_one_open(name):
 
 def test_a_list_of_scenes_goes_on_in_balls_where_one_takes_too_many_steps_in_floats():
     """A slip in which body 1 swings some 2e6 times; an energy that no float holds stays without an answer."""
-    long = Scene(Pair(1, 1, 200, "0.05"), State(x1="0.02", v2=-200_000), 1_000_000)
+    long = scenes_in("far-out")["a-slip-of-2e6-turns"]
     found, truth = solve_scenes([long, long.replace(v2="1e200")], keep_events=2, jobs=1), solve(long, digits=30)
     with pytest.raises(OutOfRange):
         solve(long, arithmetic="float64")

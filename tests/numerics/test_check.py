@@ -5,7 +5,7 @@ import json
 import pytest
 from scene_files import scenes_in
 
-from numerics import Scene, Trajectory, load_scene, solve
+from numerics import Trajectory, load_scene, solve
 from numerics.linear.record import AT
 from numerics.trajectory.columns import STATE
 from numerics.trajectory.export import bounds_at
@@ -76,7 +76,7 @@ def test_a_falsified_mode_is_the_first_event_that_differs_and_only_what_is_befor
 
 def test_a_lost_event_and_an_invented_one_are_named():
     """The rows of a run over 3 s said to be those of 5 s, and the other way round."""
-    early = Scene(RUN.scene.pair, RUN.scene.initial, 3)
+    early = RUN.scene.replace(until=3)
     lost = Trajectory(RUN.scene, RUN.arithmetic, solve(early).record).check().difference
     invented = Trajectory(early, RUN.arithmetic, RUN.record).check().difference
     assert lost.event == invented.event == len(solve(early).events) + 1

@@ -10,8 +10,9 @@ from flint import acb, arb, fmpq
 from hypothesis import example, given
 from hypothesis import strategies as st
 from strategies import decimals
+from three_scenes import PAPER
 
-from numerics import EventUndecided, Pair, Scene, State, solve
+from numerics import EventUndecided, Pair, solve
 from numerics.arithmetic.ball import Ball, digits_within
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.free.abel import AbelFunctions, arcs
@@ -97,12 +98,11 @@ def test_a_contact_in_mpmath_is_that_of_balls(gap, push, on_ray, back):
 
 
 def test_viscous_scenes_take_the_short_road():
-    pair = Pair(m1=1, m2=1, a1=5, a2=200, b="0.05")
-    found = energy_at(Scene(pair, State(v1="0.15"), until=1), 100, digits=20)
+    found = energy_at(PAPER.replace(a1=5, b="0.05"), 100, digits=20)
     assert found.road is EnergyMethod.NO_MORE_SLIP
     with found.frame.arithmetic.context():
         assert digits_within(found.energy_excess.rad(), found.energy_excess, arb(1)) >= 20
-    damped = Scene(Pair(1, 1, 200, "0.5", "0.01"), State(v1="0.15"), until=3)
+    damped = PAPER.replace(a1="0.01")
     exits = sum(one.kind is EventKind.EXIT for one in solve(damped).events)
     assert energy_at(damped, 3).excursions == exits > 0
 

@@ -9,7 +9,7 @@ from kernel_runs import moved
 from scene_files import scenes_in
 from sixty_digits import forced_scene
 
-from numerics import EventUndecided, Pair, Piece, Scene, Sine, State
+from numerics import EventUndecided, Pair, Piece, Sine
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
@@ -105,7 +105,7 @@ def boxed(scene, radius):
 
 
 def test_a_stick_whose_load_may_come_up_to_b_later_is_not_for_ever_for_a_box():
-    swing = Scene(Pair("0.4", "0.6", 1, "0.6"), State(0, "0.999999", 0, "0.999999"), "0.1")
+    swing = scenes_in("doubtful")["a-swing-that-nearly-reaches-b"]
     assert [boxed(swing, radius).how for radius in ("1e-8", "1e-5")] == [How.STUCK, How.REACHED]
 
 
@@ -137,8 +137,7 @@ def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_it_leav
 
 
 def test_a_stick_that_has_died_away_keeps_its_digits():
-    scene = Scene(Pair(m1=2, m2=1, a2=12, b=1, a1=100), State(x1="0.01"), 900)
-    end = run(scene).end
+    end = run(scenes_in("far-out")["a-stick-that-has-died-away"]).end
     assert abs(end.x1) < arb("1e-40")
     assert end.x1.rad() < abs(end.x1) * arb("1e-25")
 

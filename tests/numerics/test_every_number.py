@@ -12,7 +12,7 @@ from scene_files import scenes_in
 from sixty_digits import forced_scene
 from strategies import driven_scenes, extreme_scenes, fewer, free_scenes, ties, viscous_scenes, weakened_scenes
 
-from numerics import Force, Pair, Piece, Scene, State, load_scene, solve
+from numerics import Pair, Scene, State, load_scene, solve
 
 KINDS = {
     "ties": ties(),
@@ -28,6 +28,8 @@ ELSEWHERE = [
     "at-once",
     "belts",
     "cycles",
+    "derivatives",
+    "far-out",
     "from-the-start",
     "in-doubt",
     "left-open",
@@ -91,11 +93,10 @@ def test_every_number_of_every_frozen_scene_is_within_its_bound(folder, arithmet
 
 def test_a_force_of_high_degree_costs_no_digits_between_events():
     """Balls had no digit: k! stands in the derivatives."""
-    force = Force([Piece(0, [Fraction((7 * k) % 61 - 30, 100) for k in range(31)])])
-    run = solve(Scene(Pair(1, 1, 200, "0.05"), State(), Fraction(3, 4), force=force), arithmetic="ball", max_events=40)
+    run = solve(scenes_in("far-out")["a-force-of-degree-30"], arithmetic="ball", max_events=40)
     with run.context():
         assert run.ledger.work.rad() < 1e-12 * abs(run.ledger.work.mid())
-        assert max(one.rad() for one in run.sol(Fraction(1, 2))) < 1e-15
+        assert max(one.rad() for one in run.sol("0.5")) < 1e-15
 
 
 def test_an_error_that_the_bounds_do_not_know_of_is_noticed():

@@ -3,8 +3,6 @@
 Ties through square roots, nearly critical damping, motions that have died away, events on the horizon.
 """
 
-from dataclasses import replace
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -15,10 +13,8 @@ from three_scenes import PAPER
 from numerics import (
     NumericsError,
     OutOfRange,
-    Pair,
     PlanePair,
     PlaneScene,
-    Scene,
     State,
     solve,
     solve_many,
@@ -26,6 +22,8 @@ from numerics import (
 from numerics.control.response import response
 from numerics.trajectory.comparison import require_same_sequence
 from numerics.trajectory.run import free_scene
+
+FAR_OUT = scenes_in("far-out")
 
 
 @given(scenes(EXTREME, None, (-12, 12)), st.sampled_from(["float64", "ball"]))
@@ -51,17 +49,17 @@ def test_a_zero_through_square_roots_is_no_tie(scene):
     balls, at = solve(scene, digits=30, arithmetic="ball"), scene.initial
     require_same_sequence(solve(scene), balls)
     nudged = State(at.x1, at.v1, at.x2, at.v2 + scene.pair.half_width / 10**30) if at.v1 != at.v2 else at
-    require_same_sequence(solve(replace(scene, initial=nudged)), balls)
+    require_same_sequence(solve(scene.replace(initial=nudged)), balls)
 
 
 def test_energies_below_the_normal_numbers_have_no_digits_to_claim():
-    assert solve(Scene(Pair(1, 1, 1, "1e-160"), State(v1="3e-160"), until=4), digits=8).arithmetic.name != "float64"
+    assert solve(FAR_OUT["energies-below-the-normal-numbers"], digits=8).arithmetic.name != "float64"
     assert solve_many(1, 1, 1, 1e-158, v1=3e-158, until=4).dissipated_error > 0
 
 
 def test_a_slip_of_many_turns_costs_no_digits():
     """Balls found its end to few digits, and needed 1152."""
-    found = solve(Scene(Pair(1, 1, 1, 1), State(v2=10**9), 10**9), digits=300)
+    found = solve(FAR_OUT["a-slip-of-1e9-radians"], digits=300)
     assert found.arithmetic.digits < 400
 
 
@@ -86,7 +84,7 @@ def test_a_phase_lost_before_the_horizon_is_said():
 @pytest.mark.parametrize("a1", ["1e-24", "1e-18"])
 def test_a_damped_slip_of_1e22_radians_is_solved_in_balls(a1):
     """Also where it has died away. In one a float of the wait and its bound agree long before the wait is over."""
-    scene = Scene(Pair(1, 1, 200, "0.05", a1=a1), State(x1="0.01", v2="1e20"), until="1e25")
+    scene = FAR_OUT["a-damped-slip-of-1e22-radians"].replace(a1=a1)
     balls, found = solve(scene, digits=30, arithmetic="ball", max_events=3), solve(scene, max_events=3)
     assert (found.modes, found.arithmetic.name) == (balls.modes, "ball")
     assert found.y[0, 0].overlaps(balls.y[0, 0])

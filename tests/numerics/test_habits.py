@@ -6,14 +6,12 @@ import time
 
 import numpy as np
 import pytest
+from scene_files import scenes_in
 
 from numerics import (
     Force,
-    Pair,
     PlanePair,
     PlaneScene,
-    Scene,
-    State,
     bifurcation,
     load_scene,
     solve,
@@ -34,7 +32,7 @@ def test_a_scene_with_another_belt_has_its_velocity():
 
 def test_without_a_belt_replacing_it_by_none_keeps_v2():
     """It became 0."""
-    scene = Scene(Pair(1, 1, 200, "0.05"), State(v2="0.42"), 5)
+    scene = PAPER.replace(v2="0.42")
     assert scene.replace(belt=Force()) == scene
 
 
@@ -47,7 +45,7 @@ def test_balls_have_their_radii_as_accuracy():
 
 
 def test_few_digits_are_said():
-    few = solve(Scene(Pair("1e30", 1, "1e-10", "2.94"), State(v2=10), 10), arithmetic="float64")
+    few = solve(scenes_in("far-out")["few-digits"], arithmetic="float64")
     assert few.right_digits <= 3
     assert f"only {few.right_digits}; request digits" in few.message
     assert "only" not in RUN.message

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from kernel_runs import begun, exact
 from strategies import polynomials_of_roots
 
-from numerics import Force, Pair, Piece, Scene, Signal, State
+from numerics import Force, Pair, Scene, Signal, State
 from numerics.linear.first_root import CLEAR, ROOT, UNDECIDED, first_root
 from numerics.linear.next_event import Next, Step, next_event
 from numerics.linear.polynomial_root import first_crossing, touches
@@ -19,6 +19,7 @@ from numerics.linear.resolve import UNDECIDED as NO_MODE
 from numerics.linear.room import form_z
 from numerics.linear.table import GUARDS, STATE, SUMS, UNIT
 
+STICK = Scene(Pair("0.4", "0.6", 1, "0.6"), State(2, 1, 0, 1), 9)
 TERMS, WHOLE = 24, Step(1.0, False, 0.0)
 
 
@@ -88,8 +89,7 @@ def test_a_guard_is_clear_where_it_exceeds_what_N_lateness_or_rounding_may_take_
 @pytest.mark.parametrize(("off", "after"), [(-1e-4, 0), (1e-4, 1)])
 def test_what_follows_is_judged_by_the_load_that_there_is_when_a_late_event_comes(side, off, after):
     """In stick b is 0.6 and the load 0.6 (u - 2.3); it changes by 0.6 (1 + 0.3 v1') a second at most."""
-    force = Force([Piece(0, [exact(2.3 + side * (1 + off), 15)])])
-    run, now = begun(Scene(Pair("0.4", "0.6", 1, "0.6", "0.3"), State(2, 1, 0, 1), 9, force=force))
+    run, now = begun(STICK.replace(a1="0.3", force=Force.constant(exact(2.3 + side * (1 + off), 15))))
     form_z(run, 0)
     edge = tuple(float(run.tables.lines[0, 1, GUARDS + g] @ run.z) for g in range(2))
     gap = min(map(abs, edge))
@@ -113,7 +113,7 @@ def test_which_way_a_slip_goes_when_the_belt_has_jumped_is_known_beyond_N_and_ro
 @pytest.mark.parametrize("own", [1e-6, 1e-4])
 def test_an_exit_that_rounding_misplaces_adds_what_the_bodies_part_until_then(own):
     """The load grows beyond b by `slope` a second: each body's momentum is off by slope t^2/2."""
-    run, now = begun(Scene(Pair("0.4", "0.6", 1, "0.6"), State(2, 1, 0, 1), 9))
+    run, now = begun(STICK)
     slope = 1e-3
     after, _ = arrived(run, now, Next(ROOT, 1.0, 0, 0.5, slope, own))
     assert run.norm.kappa * slope * (own / slope) ** 2 / 2 <= after.N - now.N

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from control_scenes import DAMPED, UNEVEN, answer, started
 from flint import arb, arb_mat
+from scene_files import scenes_in
 
-from numerics import EventUndecided, Force, Piece, Scene, State, response
+from numerics import EventUndecided, Piece, response
 from numerics.arithmetic.ball import Ball
 from numerics.control import orbit, ring
 from numerics.control.orbit import middle, one_round, solve_orbit, state_at
@@ -103,8 +104,7 @@ def test_what_is_left_holds_the_sum_of_a_map_that_shrinks_by_a_known_factor(fact
 @pytest.mark.parametrize("percent", [-300, -47, 0, 38, 120])
 def test_a_drifting_motion_goes_on_where_the_leg_before_ends(percent):
     """x2 is carried from leg to leg, and from period to period by the drift."""
-    force = Force.sine("0.5", 12) + Force.sine("0.3", 24, 1)
-    found = response(Scene(DAMPED, State(), 1, force=force), digits=20).orbit
+    found = response(scenes_in("periodic")["a-weaker-force-that-is-not-odd"], digits=20).orbit
     with Ball(20).context():
         assert found.legs[0].state[2].contains(0)
         assert found.legs[0].state[2].rad() < 1e-15

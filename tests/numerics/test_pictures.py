@@ -7,7 +7,7 @@ from matplotlib import pyplot as plt
 from scene_files import scenes_in
 from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
-from numerics import Mode, Scene, State, solve
+from numerics import Mode, solve
 from numerics.trajectory.curve import sampled
 
 mpl.use("Agg")
@@ -56,13 +56,13 @@ def test_what_is_drawn_under_a_force_is_the_trajectory(how, a1):
 
 @pytest.mark.parametrize("how", ARITHMETICS)
 def test_an_excess_far_below_rounding_is_drawn(how):
-    run = solve(Scene(PAPER.pair, State("0.005", "1e-12", 0, "1e-12"), 2), **how)
+    run = solve(PAPER.replace(x1="0.005", v1="1e-12", v2="1e-12", until=2), **how)
     assert sampled(run).w * 1e22 == pytest.approx(4)
 
 
 def test_thousands_of_events_are_drawn_within_their_true_range():
     """Drawn through the events alone, the speeds of the stick phases between them were lost."""
-    run = solve(Scene(PAPER.pair, PAPER.initial, 300))
+    run = solve(PAPER.replace(until=300))
     assert len(run.segments) > 1000
     curve, dense = sampled(run), run.sol(np.linspace(100, 200, 2000))
     drawn = curve.y[:, (curve.t > 100) & (curve.t < 200)]

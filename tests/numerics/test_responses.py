@@ -9,13 +9,16 @@ from control_scenes import DAMPED, FREE, answer, referred, under
 from flint import acb, arb
 from hypothesis import example, given
 from hypothesis import strategies as st
+from scene_files import scenes_in
 from strategies import decimals, fewer, signed, sine_scenes
 
-from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, response, solve
+from numerics import EventUndecided, Pair, response, solve
 from numerics.arithmetic.ball import Ball
 from numerics.control.drive import entrained
 from numerics.control.response import Regime, Response, attraction_of, last_drive
 from numerics.scene import largest
+
+SCENES = scenes_in("periodic")
 
 
 def comes_back(found: Response, digits: int) -> None:
@@ -58,16 +61,14 @@ def test_a_weak_force_at_resonance_keeps_the_pair_next_to_its_critical_orbit(m1,
 
 def test_a_load_above_the_limit_for_a_ten_thousandth_of_a_period_is_seen():
     """It is above b by 10^-7 of it, and less than b at each of 4096 times: the pair is not entrained."""
-    first = Force.sine("0.296901884674", 12, "-0.001293024")
-    scene = Scene(DAMPED, State(), 1, force=first + Force.sine("0.148450942337", 24, "0.997413953"))
     with suppress(EventUndecided):
-        assert response(scene).regime is not Regime.ENTRAINED
+        assert response(SCENES["above-the-limit-for-a-moment"]).regime is not Regime.ENTRAINED
 
 
 def test_that_friction_does_not_hold_under_nearly_incommensurable_sines_is_seen_at_once(monkeypatch):
     """At all halves of halves of so long a period 12 rad/s has one phase: that took minutes."""
     monkeypatch.setattr(largest, "_MOST_PARTS", 512)
-    drive = last_drive(Scene(DAMPED, State(), 1, force=Force.sine("0.5", 12) + Force.sine("0.1", "1.4142135623730951")))
+    drive = last_drive(SCENES["nearly-incommensurable-sines"])
     with Ball(30).context():
         assert not entrained(drive)
 
@@ -97,8 +98,7 @@ def test_regime_and_attraction_on_both_sides_of_a_threshold(row):
 
 
 def test_two_sines_at_resonance_grow_by_their_sum():
-    force = Force.sine("0.8", 10) + Force.sine("0.8", 10, 1)
-    growth = response(Scene(Pair(1, 1, 100, "0.5"), State(), 1, force=force)).growth
+    growth = response(SCENES["two-sines-at-resonance"]).growth
     assert abs(growth - (arb("1.6") * arb("0.5").cos() - 2 / arb.pi()) / 2) < 1e-8
 
 
@@ -111,14 +111,11 @@ def test_a_motion_that_attracts_is_the_only_one_and_drifts_only_under_a_force_th
     assert "all multipliers are below 1" in free.attraction
     for one in (acb(0, 1), acb(arb("0.99", "0.02"))):  # on the unit circle, and not known to be inside
         assert "not proved" in attraction_of(free.orbit, (one, acb(0)))
-    scene = Scene(FREE, State(x1="0.02", v2="-0.1"), 60, force=Force.sine(2, free.drive.frequency))
+    scene = under(FREE, 2).replace(x1="0.02", until=60)
     ends = [solve(scene.replace(v2=v2)).final for v2 in ("-0.1", "0.3")]
     assert np.allclose(*([one.x1, one.v1, one.v2] for one in ends), atol=1e-6)
-    skewed = Scene(DAMPED, State(), 1, force=Force.sine("0.6", 12) + Force.sine("0.6", 24))
-    assert not response(skewed, digits=8).drift.contains(0)
+    assert not response(SCENES["a-force-that-is-not-odd"], digits=8).drift.contains(0)
 
 
 def test_the_last_piece_and_the_last_friction_decide():
-    late = Force((Piece(0, ["7", "1"]), Piece(2, (), [Sine("0.2", 12), Sine("0.3", 12)])))
-    scene = Scene(Pair(1, 1, 200, 9, 3), State(), 5, force=late, friction=Friction([(1, "0.5")]))
-    assert response(scene).drive == answer(DAMPED, "0.5").drive
+    assert response(SCENES["the-last-piece-decides"]).drive == answer(DAMPED, "0.5").drive

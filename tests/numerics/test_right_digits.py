@@ -10,7 +10,7 @@ from scene_files import scenes_in
 from strategies import decimals, signed
 from three_scenes import DAMPED, PAPER
 
-from numerics import Force, Pair, Piece, Scene, State, load_scene, solve, solve_scenes
+from numerics import Force, Pair, Scene, State, load_scene, solve, solve_scenes
 from numerics.arithmetic.ball import Ball, exact_middle, widened
 from numerics.linear.record import AT
 from numerics.trajectory.digits import proved_digits
@@ -18,14 +18,8 @@ from numerics.trajectory.rendering import with_radius
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
-FORCED = Scene(Pair(1, 1, 200, "0.05", "0.5"), State(v1="0.15"), until=3, force=Force.sine("0.35", 5))
+FORCED = PAPER.replace(b="0.05", a1="0.5", force=Force.sine("0.35", 5))
 SCENES = [PAPER, DAMPED, FORCED]
-
-
-def next_to_an_event(scene: Scene) -> Scene:
-    """The horizon 1e-18 s after the third event: float64 cannot tell whether it comes before."""
-    third = solve(scene, digits=40, arithmetic="ball").events[2].t.mid().str(30, radius=False)
-    return Scene(scene.pair, scene.initial, Fraction(str(third)) + Fraction(1, 10**18), scene.law, scene.force)
 
 
 @pytest.mark.parametrize(("speed", "digits"), [("2e-12", 5), ("6.6e-8", 2), ("6.6e-8", 4)])
@@ -71,8 +65,7 @@ def test_each_number_of_a_trajectory_counts_by_its_radius_or_its_bound(scene, ho
 
 def test_a_position_that_passes_zero_has_the_digits_of_its_neighbours():
     """At a quarter of a period x1 is 1e-17 of its amplitude: relative to itself no digit of it would be right."""
-    scene = Scene(Pair(1, 1, 200, "0.5"), State(x1="0.004"), until="0.157079632679489661923")
-    run = solve(scene)
+    run = solve(PAPER.replace(x1="0.004", v1=0, until="0.157079632679489661923"))
     assert abs(run.final_state[0]) < 1e-16
     assert run.accuracy.digits >= 12
 
@@ -106,7 +99,9 @@ def test_bodies_that_rest_at_every_event_have_the_digits_of_their_speed_on_the_w
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_a_sequence_in_doubt_is_settled_by_the_next_arithmetic_and_nothing_is_called_what_it_is_not(scene):
-    run = solve(next_to_an_event(scene))
+    """The horizon is 1e-18 s after the third event: float64 cannot tell whether that comes before."""
+    third = solve(scene, digits=40, arithmetic="ball").events[2].t.mid().str(30, radius=False)
+    run = solve(scene.replace(until=Fraction(str(third)) + Fraction(1, 10**18)))
     assert run.arithmetic.name == "ball"
     assert run.certain
     assert len(run.events) == 3
@@ -157,17 +152,15 @@ def test_a_quantity_of_which_float64_has_no_digit_is_found_by_balls(monkeypatch)
 @pytest.mark.parametrize("u", ["0", "0.2", "0.9"])
 def test_velocities_that_are_0_all_along_are_no_lost_digits(u, arithmetic):
     """At rest in balance with the force, or with nothing, which is known exactly."""
-    at = State(x1=Fraction(u) / 200)
-    run = solve(Scene(Pair(1, 1, 200, "0.5"), at, 3, force=Force([Piece(0, [u])])), arithmetic=arithmetic)
+    run = solve(PAPER.replace(x1=Fraction(u) / 200, v1=0, force=Force.constant(u)), arithmetic=arithmetic)
     assert run.success
     assert run.right_digits > (14 if u == "0" else 0)
 
 
 def test_a_run_that_ends_where_it_began_is_a_success_without_kept_events_too():
     """Of a motion from rest to rest and back the ends say no more than that it may have rested all along."""
-    pushes = Force([Piece(0, [2]), Piece(1), Piece("2.5", [-2]), Piece("3.5")])
     for a2 in (0, "1e-9"):
-        scene = Scene(Pair(m1=1, m2="inf", a2=a2, b=1, a1="0.7"), State(x1="0.074"), until=6, force=pushes)
+        scene = scenes_in("far-out")["there-and-back-on-a-soft-spring"].replace(a2=a2)
         run = solve(scene, arithmetic="float64")
         assert run.right_digits >= 10
         short = solve_scenes([scene])

@@ -1,20 +1,17 @@
 """When the relative motion stays in its ring, and what is said of all later times: against samples and runs."""
 
-from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 
 import numpy as np
 import pytest
-from control_scenes import DAMPED, outside
+from control_scenes import outside
 from flint import arb
 from scene_files import scenes_in
 
 from numerics import (
-    Force,
     NotSettled,
     Pair,
-    Piece,
     Scene,
     State,
     load_scene,
@@ -29,6 +26,7 @@ from numerics.control.ring import Settled, periodic_settled, slide_left
 from numerics.free.abel import creeping_place
 from numerics.trajectory.run import run_scene
 
+SCENES = scenes_in("settling")
 CASES = """
 velocities              0.001 20
 itinerary-that-merges   0.001 1
@@ -43,25 +41,25 @@ a-sine-then-a-constant  0.001 1
 @pytest.mark.parametrize("row", CASES.strip().splitlines())
 def test_the_entry_is_the_last_sample_outside(row):
     name, radius, rate = row.split()
-    found = ring_entry(scenes_in("settling").get(name) or load_scene(name), radius, rate=rate)
+    found = ring_entry(SCENES.get(name) or load_scene(name), radius, rate=rate)
     entry = float(found.entry)
     assert 0 < entry - outside(found, 2 * entry)[-1] < 2.1 * entry / 4_000
 
 
 def test_a_light_body_1_takes_no_finer_parts_for_ever():
-    found = ring_entry(Scene(Pair("1e-9", 1, 200, "0.5", 60), State(x1="0.02"), 3), "0.001")
+    found = ring_entry(SCENES["a-light-body-1"], "0.001")
     assert float(found.entry) == pytest.approx(0.0856818353204)
 
 
 def test_a_motion_that_never_leaves_the_ring_is_inside_from_the_start():
-    found = ring_entry(Scene(Pair(1, 1, 200, "0.5"), State(x1="0.001"), 1), 1)
+    found = ring_entry(SCENES["it-sticks-from-the-start"], 1)
     assert found.entry.is_zero()
     assert "sticks" in found.why
 
 
 def test_the_ring_of_a_motion_that_slowly_closes_in_is_where_it_is_so_near_to_itself_many_periods_later():
     scene, later = load_scene("forced-sine-stick-slip"), 79 * 2 * np.pi / 5
-    run, entry = solve(replace(scene, until=120)), float(ring_entry(scene, "0.001", digits=12).entry)
+    run, entry = solve(scene.replace(until=120)), float(ring_entry(scene, "0.001", digits=12).entry)
     t = np.array([entry - 1e-6, entry + 1e-6, *np.linspace(entry + 0.01, entry + 15, 400)])
     apart = run.sol(t) - run.sol(t + later)
     assert (np.hypot(apart[0] - apart[2], apart[1] - apart[3]) > 0.001).tolist() == [True, *[False] * 401]
@@ -69,17 +67,15 @@ def test_the_ring_of_a_motion_that_slowly_closes_in_is_where_it_is_so_near_to_it
 
 def test_what_helps_where_a_motion_is_not_known_to_settle_is_said(monkeypatch):
     monkeypatch.setattr(rings, "_FORCED", (1, 2_000))
-    scene = Scene(Pair(10, 1, 1, 1, a1="0.01"), State(v1=20), 1, force=Force.step(0, "0.5"))
+    scene = SCENES["a-weak-damper"]
     with pytest.raises(NotSettled, match="a later horizon or a larger radius may help"):
         ring_entry(scene, "0.1")
-    assert ring_entry(replace(scene, until=Fraction(3000)), "0.1").why == "the pair sticks permanently"
+    assert ring_entry(scene.replace(until=3000), "0.1").why == "the pair sticks permanently"
 
 
 # what is said of all later times
 
-SLIDING = Scene(DAMPED, State(v1=1), 80, force=Force.sine(2, 12))
-FAST = scenes_in("settling")["a-stiff-pair"]
-"""In a period it can slide far less, in metres, than its speed in metres a second."""
+SLIDING, FAST = SCENES["it-slides-by"], SCENES["a-stiff-pair"]
 
 
 @cache
@@ -99,7 +95,7 @@ def test_since_is_the_first_period_that_is_proved_to_stay_as_near_as_asked(monke
     near, orbit, apart = 1e-3, orbit_of(FAST), []
     since = known(FAST, near).since
     with Ball(24).context():
-        run = solve(replace(FAST, until=Fraction(1, 2)), arithmetic="ball", digits=20)
+        run = solve(FAST.replace(until="0.5"), arithmetic="ball", digits=20)
         for k in range(-1, 6):
             t = (since + k * orbit.drive.period).mid()
             off = [a - b for a, b in zip(run.sol(t), state_at(orbit.passage_at(t), t), strict=True)]
@@ -110,7 +106,7 @@ def test_since_is_the_first_period_that_is_proved_to_stay_as_near_as_asked(monke
 def test_what_slides_in_the_periods_before_the_end_counts(monkeypatch):
     """In a period of 3 s more is slid, in metres, than the speed is in metres a second, which is well below `near`."""
     monkeypatch.setattr(rings, "slide_left", lambda *_: arb(0))
-    scene = Scene(DAMPED, State(v1=1), 20, force=Force.sine(30, 2))
+    scene = SCENES["a-long-period"]
     orbit = orbit_of(scene)
     with Ball(24).context():
         t = (Ball.number(20) - 3 * orbit.drive.period).mid()
@@ -143,10 +139,10 @@ def test_no_motion_near_a_periodic_one_slides_further_than_is_said():
 
 def test_a_piece_that_begins_after_the_horizon_counts():
     """The pair is at rest, and so it is under the last piece; one in between tears it apart."""
-    scene = Scene(DAMPED, State(), Fraction(1, 2), force=Force((Piece(2, [2]), Piece(3, [0]))))
+    scene = SCENES["a-piece-after-the-horizon"]
     found = ring_entry(scene, "0.0005", digits=8)
     assert found.entry > 3
-    y = solve(replace(scene, until=Fraction(10))).sol(float(found.entry.mid()) + np.linspace(1e-6, 5, 400))
+    y = solve(scene.replace(until=10)).sol(float(found.entry.mid()) + np.linspace(1e-6, 5, 400))
     assert np.hypot(y[0] - y[2] - float(found.centre), y[1] - y[3]).max() <= 0.0005
 
 

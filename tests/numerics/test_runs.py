@@ -13,11 +13,8 @@ from scene_files import scenes_in
 from three_scenes import HOW, PAPER
 
 from numerics import (
-    Pair,
     PlanePair,
     PlaneScene,
-    Scene,
-    State,
     load_scene,
     scene_text,
     sensitivities,
@@ -27,7 +24,7 @@ from numerics.linear.modes import EventKind
 from numerics.scene.file import parse_scene, shipped_scenes
 from numerics.trajectory.columns import STATE
 
-SURFACE = load_scene("plane-slip-turns")
+FAR_OUT, SURFACE = scenes_in("far-out"), load_scene("plane-slip-turns")
 """Three axes, one of them an angle."""
 RUNS = {f"line {how}": (PAPER, how) for how in HOW}
 RUNS |= {f"surface {how}": (SURFACE, how) for how in ({}, {"max_events": 1})}
@@ -150,7 +147,7 @@ def test_what_is_lost_over_a_ball_of_times_holds_what_is_lost_up_to_each(scene):
 
 
 def test_a_stick_of_thousands_of_turns_keeps_its_ledger():
-    run = solve(Scene(Pair(1, 1, 200, "0.5", "1"), State(x1="0.004"), "2999.9"), digits=20, arithmetic="ball")
+    run = solve(FAR_OUT["a-stick-of-thousands-of-turns"], digits=20, arithmetic="ball")
     with run.context():
         residual, lost = run.ledger.residual, run.dissipated
         assert residual.contains(0)
@@ -159,7 +156,7 @@ def test_a_stick_of_thousands_of_turns_keeps_its_ledger():
 
 
 def test_progress_is_told():
-    told, scene = [], Scene(Pair(1, 1, 200, "0.0005"), State(v1="0.15"), until=500)
-    solve(scene, progress=lambda n, part: told.append((n, part)))
+    told = []
+    solve(FAR_OUT["a-sequence-of-thousands"], progress=lambda n, part: told.append((n, part)))
     assert told
     assert np.all(np.diff(told, axis=0) > 0)

@@ -1,7 +1,6 @@
 """Sensitivities against differences of solves in balls and other arithmetics; what is exact of them; as commands."""
 
 import tomllib
-from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
@@ -21,7 +20,6 @@ from three_scenes import PAPER
 from numerics import (
     EventUndecided,
     Force,
-    Friction,
     NotDifferentiable,
     NumericsError,
     Pair,
@@ -38,7 +36,7 @@ from numerics.trajectory.run import free_scene
 
 CATALOGUE = Path(__file__).parents[1] / "forced" / "scenes"
 PAIR = Pair(1, 1, 200, "0.05")
-FREE, WEAKENED, SIGNALS = map(scenes_in, ("differentiated", "followed-in-balls", "signals"))
+FREE, WEAKENED, SIGNALS, SCENES = map(scenes_in, ("differentiated", "followed-in-balls", "signals", "derivatives"))
 GIVEN = tomllib.loads((CATALOGUE.parent / "derivatives.toml").read_text("utf-8"))
 FORCED, CORNERS, TIES = (GIVEN[one] for one in ("compared", "corners", "ties"))
 
@@ -75,7 +73,7 @@ def test_ties_that_leave_derivatives_to_both_sides(name):
 
 @reaching
 @fewer(3)
-@example(Scene(Pair(1, 10, 1, 1, "2e-9"), State("-1.1"), "20.7289"))
+@example(SCENES["a-slip-of-many-turns"])
 @given(driven_scenes() | scenes(damped=None, periods=(1, 1), exponents=(-1, 1)))
 def test_differences_of_random_solves(scene):
     try:
@@ -153,9 +151,9 @@ def test_there_are_no_derivatives_by_the_samples_of_a_table():
 
 
 @pytest.mark.parametrize("name", ["force[0].from", "friction[0].from"])
-@pytest.mark.parametrize("height", ["0.2", "-0.2"])
-def test_a_force_from_the_start_on_breaks_a_stick_towards_either_side(height, name):
-    base = in_balls(Scene(PAIR, State(), 1, force=Force.step(0, height), friction=Friction([(0, "0.08")])))
+@pytest.mark.parametrize("way", ["up", "down"])
+def test_a_force_from_the_start_on_breaks_a_stick_towards_either_side(way, name):
+    base = in_balls(SCENES[f"a-push-{way}"])
     assert deviation(base, {name: Fraction(1)}, (1,)).size < 1e-50
 
 
@@ -177,9 +175,8 @@ def test_a_body_that_sticks_to_a_belt_goes_with_it_by_every_number():
 
 def test_what_friction_read_literally_would_not_bring_back_has_no_derivative():
     """A belt that begins late leaves the stick behind, which no friction b could hold."""
-    scene = Scene(Pair(1, "inf", 4, 1), State(x1=1), 1, "three-valued-sgn", belt=Force.sine(1, 2))
     with pytest.raises(NotDifferentiable, match=r"where belt\[0\] begins a little later"):
-        sensitivities(solve(scene))
+        sensitivities(solve(SCENES["a-belt-read-literally"]))
 
 
 # at any time
@@ -210,10 +207,10 @@ def test_at_no_times_there_are_no_derivatives(arithmetic):
     assert sensitivities(solve(load_scene("velocities"), arithmetic=arithmetic), []).shape == (4, 9, 0)
 
 
-@pytest.mark.parametrize(("solved", "jump"), [(solve, Fraction(1)), (in_balls, Fraction(17, 10))])
+@pytest.mark.parametrize(("solved", "jump"), [(solve, "1"), (in_balls, "1.7")])
 def test_a_jump_of_the_force_has_two_sides(solved, jump):
     """Of a time that no float holds one ball held both of them."""
-    run = solved(Scene(Pair(1, 1, 200, "0.2", "0.5"), State(), 2, force=Force.step(jump, "0.2")))
+    run = solved(SCENES[f"a-push-at-{jump}-s"])
     before, after = (sensitivities(run, jump, side, ["force[0].from"]) for side in ("left", "right"))
     assert (before == 0).all()
     off = after[:, 0] - [0, arb("-0.1"), 0, arb("-0.1")]  # both bodies go on, and later
@@ -229,21 +226,16 @@ def test_an_event_is_that_event_also_where_derivatives_need_more_digits_than_the
     assert tried
 
 
-def test_by_the_damper_there_is_no_derivative_where_the_wall_jumps():
+@pytest.mark.parametrize(("wall", "has_one"), [("that-jumps", False), ("that-runs", True), ("elsewhere", True)])
+def test_by_the_damper_there_is_no_derivative_where_the_wall_jumps(wall, has_one):
     """A jump would be a blow through it: such a scene is refused, and what was returned left the blow out."""
-    for place, has_one in (
-        (Force.step("0.5", 1), False),
-        (Force.ramp("0.5", "0.6", 1), True),
-        (Force.step(0, 1), True),
-    ):
-        run = solve(Scene(Pair(1, 1, 4, "0.1"), State(v1=1), 1, wall=place))
-        assert ("a1" in sensitivities(run).wrt) is has_one
+    assert ("a1" in sensitivities(solve(SCENES[f"a-wall-{wall}"])).wrt) is has_one
 
 
-@pytest.mark.parametrize("m2", [1, "inf"])
-def test_by_a_b_that_is_0_there_is_no_derivative(m2):
+@pytest.mark.parametrize("name", ["no-friction", "no-friction-on-the-ground"])
+def test_by_a_b_that_is_0_there_is_no_derivative(name):
     """It was 0, where friction of any b > 0 slows the motion down."""
-    run = solve(Scene(Pair(1, m2, 4, 0), State(v1=1), 1))
+    run = solve(SCENES[name])
     assert "b" not in sensitivities(run).wrt
     with pytest.raises(ValueError, match="'b', which is 0: by that there is no derivative"):
         sensitivities(run, wrt=["b"])
@@ -255,7 +247,7 @@ def test_by_a_b_that_is_0_there_is_no_derivative(m2):
 @pytest.mark.parametrize("arithmetic", ["ball", "mpmath", "float64"])
 def test_json_carries_them(arithmetic, scene_file, record):
     found = record("solve", scene_file, "--sensitivity", "--arithmetic", arithmetic)
-    truth = sensitivities(solve(replace(PAPER, until=2), digits=60, arithmetic="ball"))
+    truth = sensitivities(solve(PAPER.replace(until=2), digits=60, arithmetic="ball"))
     for event, t, y in zip(found["events"], truth.t, truth.y, strict=True):
         assert set(event["sensitivity"]) == {"t", "x1", "v1", "x2", "v2"}
         for row, true in zip(event["sensitivity"].values(), (t, *y), strict=True):
@@ -276,7 +268,7 @@ def check_row(row, true, arithmetic):
 def test_the_archive_and_the_table_carry_them(scene_file, tmp_path, output):
     path = tmp_path / "out.npz"
     output("solve", scene_file, "--npz", path, "--sensitivity", "--digits", 20)
-    found = sensitivities(solve(replace(PAPER, until=2)))
+    found = sensitivities(solve(PAPER.replace(until=2)))
     with np.load(path) as archive:
         assert tuple(archive["sensitivity_wrt"]) == WRT
         for name in ("t", "y", "final", "energy"):

@@ -65,8 +65,7 @@ def test_a_cycle_that_only_touches_the_speed_of_the_belt_goes_on(scene):
 
 def test_a_force_that_grows_as_the_wall_draws_back_lets_the_body_rest():
     """It starts at the edge, and the load stays as it is."""
-    force, wall = Force.ramp(0, 10, 150), Force.ramp(0, 10, -3)
-    scene = Scene(Pair(m1=M1, m2="inf", a2=A2, b=B), State(x1=-EDGE), until=10, force=force, wall=wall)
+    scene = on_the_ground(-EDGE).replace(until=10, force=Force.ramp(0, 10, 150), wall=Force.ramp(0, 10, -3))
     run = solve(scene, digits=20)
     assert (run.events, run.final_mode) == ((), Mode.STICK)
 
@@ -74,5 +73,5 @@ def test_a_force_that_grows_as_the_wall_draws_back_lets_the_body_rest():
 @pytest.mark.parametrize(("speed", "then"), [("0.32", []), ("0.321", []), ("1", []), ("0.3199", ["stick", "slip-"])])
 def test_a_swing_that_just_reaches_the_speed_of_the_belt_or_does_not_goes_on(speed, then):
     """From rest it swings about the edge b/a2, at most at omega b/a2 = 0.32 m/s: a slower belt catches it."""
-    run = motion(Scene(Pair(m1=M1, m2="inf", a2=A2, b="3.2"), State(), until=10, belt=Force.step(0, speed)))
+    run = motion(on_the_ground(0).replace(b="3.2", until=10, belt=Force.step(0, speed)))
     assert (run.success, [one.after for one in run.events]) == (True, then)

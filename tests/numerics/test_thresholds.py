@@ -4,10 +4,10 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from control_scenes import referred
+from control_scenes import referred, under
 from flint import arb
 
-from numerics import Force, Pair, Scene, State, response
+from numerics import Pair, response
 from numerics.arithmetic.ball import Ball
 from numerics.control.thresholds import edges, thresholds
 
@@ -33,7 +33,7 @@ def test_a_free_oscillation_lets_the_pair_stick_up_to_a_larger_amplitude(odd):
         A = float(amplitude) / (float(pair.a2) - 2 * omega**2)
         c = -((-1) ** ((odd - 1) // 2)) * np.sin(np.pi / (2 * odd)) / odd
         speed = Fraction(float(A * omega * (1 + c / odd)))
-        scene = Scene(pair, State(v1=speed, v2=speed), until=3, force=Force.sine(amplitude, omega))
+        scene = under(pair, amplitude, omega).replace(v1=speed, v2=speed, until=3)
         assert (not referred(scene, digits=40).events) == sticks
 
 
@@ -59,5 +59,5 @@ def test_the_edge_of_the_non_stop_regime_lies_where_the_sign_is_kept(omega, edge
         _, needed, found = (float(one) for one in edges(pair, omega))
     assert found == pytest.approx(edge or needed, rel=1e-4)
     for factor, never_stops in ((0.998, False), (1.002, True)):
-        run = response(Scene(pair, State(), 1, force=Force.sine(Fraction(found * factor), omega)), digits=8)
+        run = response(under(pair, Fraction(found * factor), omega), digits=8)
         assert ([leg.side for leg in run.orbit.legs] == [1, -1]) is never_stops

@@ -1,7 +1,5 @@
 """Friction that depends on the state: whether it is the motion, across digits, and at ties."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -9,14 +7,13 @@ from inclusion import motion, overlap
 from reaching import LeftOut, reaching
 from scene_files import scenes_in
 from strategies import weakened_scenes
+from three_scenes import PAPER
 
 from numerics import (
     EventUndecided,
     Friction,
     OutOfRange,
-    Pair,
     Scene,
-    State,
     Weakening,
     solve,
 )
@@ -37,7 +34,7 @@ def test_what_is_found_is_the_motion(scene: Scene):
 def test_a_table_that_says_nothing_changes_nothing(scene: Scene):
     try:
         one, two = (
-            solve(replace(scene, friction=Friction(scene.friction.steps, table)), arithmetic="ball", digits=40)
+            solve(scene.replace(friction=Friction(scene.friction.steps, table)), arithmetic="ball", digits=40)
             for table in (None, Weakening())
         )
     except (EventUndecided, OutOfRange):  # so many digits do not tell what comes
@@ -59,7 +56,7 @@ def test_a_knot_adds_to_the_errors_whether_friction_bends_up_or_down_behind_it(m
     bounds, crossed = [], EnclosedRun.crossed
     monkeypatch.setattr(EnclosedRun, "crossed", lambda *given: (found := crossed(*given), bounds.append(found[1]))[0])
     weakening = Weakening(speed=[("0.02", "0.04"), ("0.1", "0.06")])
-    solve(Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 1, friction=Friction(weakening=weakening)), digits=15)
+    solve(PAPER.replace(b="0.05", until=1, friction=Friction(weakening=weakening)), digits=15)
     assert len(bounds) > 4
     assert min(bounds) > 0
 

@@ -23,11 +23,9 @@ from numerics import (
     Friction,
     Law,
     NumericsError,
-    Pair,
     Piece,
     Scene,
     Sine,
-    State,
     Trajectory,
     load_scene,
     sensitivities,
@@ -91,9 +89,7 @@ def runs() -> Iterator[Run]:
 
 PROBLEMS = {name for name, what in described_scenes().items() if what.startswith("Your problem")}
 """Shipped after the freeze; tests/test_problems.py has their right values."""
-STEADY = Force([Piece(0, (), [Sine("0.234", 5)]), Piece(1, ["1.4"])])
-STUCK = Scene(Pair(1, 1, 200, "0.5", 6), State("-0.0003", "0.0075", 0, "0.0075"), 3, force=STEADY)
-"""Nothing swings freely before the jump: the motion up to there is known exactly."""
+STUCK = scenes_in("settling")["nothing-swings-freely"]
 
 
 def scenes() -> dict[str, Scene]:

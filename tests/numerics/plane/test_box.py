@@ -14,9 +14,11 @@ from numerics.errors import NumericsError
 from numerics.plane.solve import followed
 from numerics.scene.plane import PlanePair, PlaneScene
 
+SURFACES = scenes_in("surfaces")
+
 
 @given(plane_scenes(shape="box"))
-@example(scenes_in("surfaces")["a-pair-of-axes-and-one-alone"])
+@example(SURFACES["a-pair-of-axes-and-one-alone"])
 @fewer(5)
 def test_both_roads_agree_and_more_digits_stay_in_the_bounds(scene):
     try:
@@ -28,8 +30,7 @@ def test_both_roads_agree_and_more_digits_stay_in_the_bounds(scene):
 
 
 def test_mirrored_axes_have_their_events_together():
-    scene = PlaneScene(PlanePair(1, 1, 200, "0.5", shape="box"), 1, x1=["0.02", "-0.02"], v1=["0.1", "-0.1"])
-    found = solve(scene, digits=15)
+    found = solve(SURFACES["mirrored-axes"], digits=15)
     assert {one.after for one in found.events} == {"+-", "00", "-+"}
     x, y = found.final_state.x1
     assert x.overlaps(-y)
@@ -58,11 +59,9 @@ def test_what_happens_at_one_time_that_is_known_exactly_is_one_event(row):
     assert all(first.load[k % 2].contains(float(load)) for k, load in enumerate(loads))
 
 
-@pytest.mark.parametrize(("v", "modes"), [("0.1", ["-0", "00"]), ("-0.1", ["00", "+0"])])
-def test_a_coupled_axis_that_begins_exactly_on_the_edge_leaves_it_the_way_its_load_goes(v, modes):
-    pair = PlanePair(1, 1, [[100, 1], [1, 100]], "0.5", shape="box")
-    found = solve(PlaneScene(pair, "0.6", x1=["0.01", 0], v1=[v, 0], v2=[v, 0]), digits=15)
-    assert [*found.modes[:2]] == modes
+@pytest.mark.parametrize(("way", "modes"), [("outwards", ("-0", "00")), ("inwards", ("00", "+0"))])
+def test_a_coupled_axis_that_begins_exactly_on_the_edge_leaves_it_the_way_its_load_goes(way, modes):
+    assert solve(SURFACES[f"a-box-from-the-edge-{way}"], digits=15).modes[:2] == modes
 
 
 @pytest.mark.parametrize("off", ["1e-9", "1e-14", "1e-22"])

@@ -11,7 +11,7 @@ from reaching import LeftOut, reaching
 from scene_files import scenes_in
 from strategies import extreme_scenes, fewer, plane_scenes
 
-from numerics import Force, Pair, Piece, Scene, State, solve
+from numerics import solve
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, NumericsError
 from numerics.plane import run as running
@@ -24,57 +24,39 @@ from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
 
 SURFACES = scenes_in("surfaces")
+AT_REST, OBLIQUE, REVERSALS = (scenes_in(f"surfaces/{name}") for name in ("at-rest", "oblique", "reversals"))
 
 
-@pytest.mark.parametrize("later", [0, 1])
-def test_an_oblique_line_is_the_pair_of_the_paper_digit_for_digit(later):
+@pytest.mark.parametrize("name", ["along-it", "along-it-for-half-a-second"])
+def test_an_oblique_line_is_the_pair_of_the_paper_digit_for_digit(name):
     """Also up to where a force on one axis leads away from it: a slip gets exactly to rest before that."""
-    along, force = (Pair(1, "0.8", 200, "0.5", 1), Force.sine(3, 5))
-    line = solve(Scene(along, State("0.02", "0.15", 0, "-0.1"), "0.5", force=force), digits=24, arithmetic="ball")
-    e = ("0.6", "0.8")
-    scene = PlaneScene(
-        PlanePair(1, "0.8", 200, "0.5", 1),
-        "0.6",
-        x1=["0.012", "0.016"],
-        v1=["0.09", "0.12"],
-        v2=["-0.06", "-0.08"],
-        force=[c * force + k * Force.step("0.5", later) for k, c in enumerate(e)],
-    )
-    plane = solve(scene, digits=24)
+    line, plane = (solve(OBLIQUE[one], digits=24, arithmetic="ball") for one in ("line", name))
     with Ball(40).context():
         assert len(line.events) > 1
         assert overlap(plane.event_times[: len(line.events)], line.event_times)
-        assert overlap(plane.sol("0.5"), [arb(c) * true for true in line.final_state for c in e])
+        assert overlap(plane.sol("0.5"), [arb(c) * true for true in line.final_state for c in ("0.6", "0.8")])
         x, y = plane.final_state.x1
-        assert (3 * y - 4 * x).contains(0) == (not later)
+        assert (3 * y - 4 * x).contains(0) == (name == "along-it")
 
 
-BALANCED = [Force.constant("1/3"), Force.constant("0.1")]
-
-
-@pytest.mark.parametrize("more", [{}, {"friction": [("1/7", 1)]}, {"x1": ["1/3", "0.1"], "force": BALANCED}])
-def test_what_rests_up_to_a_time_that_no_float_holds_has_its_digits(more):
+@pytest.mark.parametrize("scene", AT_REST.values(), ids=AT_REST)
+def test_what_rests_up_to_a_time_that_no_float_holds_has_its_digits(scene):
     """Zeros that are known but for rounding had none, beside a largest number that is 0 too."""
-    run = solve(PlaneScene(PlanePair(1, 1, 1, 1), "0.6", **more))
+    run = solve(scene)
     assert (run.success, run.digits, run.events) == (True, 15, ())
     with run.context():
         assert all(abs(one) < 1e-30 for one in run.final_state.v1 + run.final_state.v2)
 
 
-def test_a_slip_passes_through_rest_where_an_ellipse_draws_it_there():
+@pytest.mark.parametrize(("name", "modes"), [("drawn-through-rest", ("slip", "slip")), ("by-a-circle", ("slip",))])
+def test_a_slip_passes_through_rest_where_an_ellipse_draws_it_there(name, modes):
     """b_x^2 kap > b_y kap (b_y + |Lam|): an open set of slips meets v1 = v2 and leaves at once; a round one turns."""
-    push = [Force(), Force((Piece(0, ["0.6"]),))]
-    for b, kinds in ((["0.5", "0.2"], [("slip", "slip")]), ("0.2", [])):
-        pair = PlanePair(2, 2, "0.001", b)
-        found = solve(PlaneScene(pair, 1, v1=["0.02", "-0.2"], force=push), digits=20)
-        assert [(one.before, one.after) for one in found.events] == kinds
+    assert solve(REVERSALS[name], digits=20).modes == modes
 
 
 def test_a_near_reversal_turns_and_an_exact_one_passes():
-    pair, push = PlanePair(1, 1, "0.5", "0.5"), [Force((Piece(0, [2]),))]
-    near = solve(PlaneScene(pair, "0.3", v1=["-0.3", "1e-11"], force=push), digits=20)
-    exact = solve(PlaneScene(pair, "0.3", v1=["-0.3", 0], force=push), digits=20)
-    assert (near.events, [one.after for one in exact.events]) == ((), ["slip"])
+    near, exact = (solve(REVERSALS[name], digits=20) for name in ("near", "exact"))
+    assert (near.modes, exact.modes) == (("slip",), ("slip", "slip"))
     assert abs(near.final_state.v2[0] - exact.final_state.v2[0]) < 1e-9
 
 
@@ -180,11 +162,10 @@ def test_ellipses_that_touch_the_edge_are_stuck_for_ever_and_larger_ones_slip(ro
     assert then == "slips" or solve(weaker, digits=10).modes[:2] == ("stick", "slip")
 
 
-@pytest.mark.parametrize(("v", "before"), [("0.05", "slip"), ("-0.05", "stick")])
-def test_a_start_exactly_on_the_edge_leaves_it_the_way_the_load_goes(v, before):
+@pytest.mark.parametrize(("way", "before"), [("outwards", "slip"), ("inwards", "stick")])
+def test_a_start_exactly_on_the_edge_leaves_it_the_way_the_load_goes(way, before):
     """Its first numbers are as good as all others: 20 digits at t = 0 need no more working digits than later on."""
-    pair = PlanePair(1, 1, 200, "0.5")
-    found = solve(PlaneScene(pair, "0.25", x1=["0.003", "0.004"], v1=[v, 0], v2=[v, 0]), digits=20)
+    found = solve(SURFACES[f"from-the-edge-{way}"], digits=20)
     assert (found.modes[0], found.arithmetic.digits) == (before, 26)
 
 
@@ -228,7 +209,7 @@ def test_what_holds_in_a_window_holds_and_a_window_that_is_too_long_is_refused()
 @pytest.mark.parametrize(("load", "passes"), [("1.04", True), ("1.06", False)])
 def test_a_slip_is_drawn_through_rest_up_to_the_load_at_which_its_direction_is_no_minimum(load, passes):
     """b_x^2 kap = b_y kap (b_y + |Lam|) at |Lam| = 1.05: PLANE's condition, at its edge."""
-    system = path_of(PlaneScene(PlanePair(2, 2, 1, ["0.5", "0.2"]), 1, x1=["0.1", "0.1"]), 30).system
+    system = path_of(REVERSALS["at-the-edge-of-a-minimum"], 30).system
     with system.fine():
         along = Vector([arb(0, 1e-6), arb(-1, 1e-6)])
         drawn = drawn_to(system, system.pieces[0], Vector([arb(0), arb(load)]), along)

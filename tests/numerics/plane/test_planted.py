@@ -56,8 +56,7 @@ def test_an_event_that_may_come_before_or_after_a_jump_is_in_doubt(scene, off):
 @pytest.mark.parametrize("side", [0.99, -0.99])
 def test_a_stick_ends_no_later_or_earlier_than_is_said(side):
     """What an error in x1 alone moves its load by is all that N allows."""
-    pair, v = PlanePair(1, 1, 200, "0.5"), ["0.05", "0.001"]
-    scene = PlaneScene(pair, "0.03", x1=["0.004", "0.0001"], v1=v, v2=v)
+    scene = SURFACES["a-stick-on-the-way-to-the-edge"]
     (found, *_), (first, *_) = said(scene, 1e-13)[0], said(moved(scene, "x1", 0, side * 1e-13))[0]
     assert (found.before, found.after) == ("stick", "slip")
     assert found.t.overlaps(first.t)

@@ -4,6 +4,7 @@ import math
 from fractions import Fraction
 
 import pytest
+from control_scenes import under
 from sympy import N, Rational
 
 from numerics import (
@@ -136,7 +137,7 @@ def ends(pair, omega):
 
 def modes(pair, amplitude, omega):
     """The modes of the periodic motion in a period, sorted; none where the pair sticks permanently."""
-    orbit = response(Scene(pair, State(), 1, force=Force.sine(amplitude, omega)), digits=6).orbit
+    orbit = response(under(pair, amplitude, omega), digits=6).orbit
     return sorted(leg.side for leg in orbit.legs) if orbit else []
 
 

@@ -25,6 +25,18 @@ WAITING = Evidence(EvidenceKind.KERNEL, "Coq", "the theorem t", None)
 BY_HAND = argument("by hand", cites=("Filippov",))
 COUNTER, CORRECTION = EXACT.as_counterexample(), EXACT.as_correction()
 CORRECTED = {"counterexample": "$a=1$", "corrected": "$a=a$"}
+STEPS = {
+    "exact": EXACT,
+    "sample": SAMPLE,
+    "failed": FAILED,
+    "silent": SILENT,
+    "support": EXACT.as_support(),
+    "counter": COUNTER,
+    "silent-counter": SILENT.as_counterexample(),
+    "correction": CORRECTION,
+    "sampled-correction": SAMPLE.as_correction(),
+    "failed-correction": FAILED.as_correction(),
+}
 
 
 def test_kinds_are_ordered_strongest_first():
@@ -75,32 +87,33 @@ def test_vacuous_evidence_and_a_value_that_is_not_finite_are_no_pass(told, passe
 
 HOLDS, AMENDED, REFUTED = Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED
 UNDECIDED, UNCHECKED, NOT_JUDGED = Verdict.UNDECIDED, Verdict.UNCHECKED, Verdict.NOT_JUDGED
-BOTH = (COUNTER, CORRECTION)
+OVERREACHING = """
+holds           |                                      |
+holds           | sample                               |
+holds           | support                              |
+holds           | exact failed                         |
+holds           | exact silent                         |
+holds           | exact                                | counterexample
+holds           | correction                           |                          about something else
+refuted         | counter correction                   | corrected
+refuted         | counter correction                   | counterexample
+refuted         | correction                           | counterexample corrected
+holds-corrected | counter                              | counterexample corrected
+holds-corrected | counter sampled-correction           | counterexample corrected
+holds-corrected | counter correction failed-correction | counterexample corrected
+holds-corrected | failed counter correction            | counterexample corrected
+refuted         | counter correction silent-counter    | counterexample corrected
+not-judged      | failed                               |                          what was checked beside it
+not-judged      | counter correction                   | counterexample corrected
+"""
+"""A verdict, its steps, and which of its texts are given."""
 
 
-@pytest.mark.parametrize(
-    ("verdict", "steps", "more"),
-    [
-        (HOLDS, (), {}),
-        (HOLDS, (SAMPLE,), {}),
-        (HOLDS, (EXACT.as_support(),), {}),
-        (HOLDS, (EXACT, FAILED), {}),
-        (HOLDS, (EXACT, SILENT), {}),
-        (HOLDS, (EXACT,), {"counterexample": "c"}),
-        (HOLDS, (CORRECTION,), {}),  # about something else
-        (REFUTED, BOTH, {"corrected": "c"}),
-        (REFUTED, BOTH, {"counterexample": "c"}),
-        (REFUTED, (CORRECTION,), CORRECTED),
-        (AMENDED, (COUNTER,), CORRECTED),
-        (AMENDED, (COUNTER, SAMPLE.as_correction()), CORRECTED),
-        (AMENDED, (*BOTH, FAILED.as_correction()), CORRECTED),
-        (AMENDED, (FAILED, *BOTH), CORRECTED),
-        (REFUTED, (*BOTH, SILENT.as_counterexample()), CORRECTED),
-        (NOT_JUDGED, (FAILED,), {}),  # what was checked beside it
-        (NOT_JUDGED, BOTH, CORRECTED),
-    ],
-)
-def test_an_overreaching_finding_cannot_be_built_and_is_concluded_undecided(verdict, steps, more):
+@pytest.mark.parametrize("row", OVERREACHING.strip().splitlines())
+def test_an_overreaching_finding_cannot_be_built_and_is_concluded_undecided(row):
+    (name,), steps, given = map(str.split, row.split("|"))
+    verdict, steps = Verdict(name), tuple(STEPS[one] for one in steps)
+    more = {one: text for one, text in CORRECTED.items() if one in given}
     with pytest.raises(InvalidFindingError, match=verdict.value):
         Finding(verdict, "r", steps, **more)
     found = conclude(verdict, "r", *steps, **more)
