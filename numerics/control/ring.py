@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import reduce
-from itertools import chain
+from itertools import chain, count
 from typing import NamedTuple
 
 import flint
@@ -134,7 +134,7 @@ def _settled(
     Raises NotSettled.
     """
     doublings, most = _FORCED if scene.is_forced else _FREE
-    last = max((*scene.force.starts, *scene.friction.starts), default=Fraction(-1))
+    last = _last_start(scene)
     until = max(scene.until, last + 1)
     for _ in range(doublings):
         _log.info("following the motion to t = %.6g s in %d digits", until, arithmetic.digits)
@@ -161,17 +161,26 @@ def _settled(
     )
 
 
+def _last_start(scene: Scene) -> Fraction:
+    """Return when the last piece of force and friction begins, s; -1 if there is none."""
+    return max((*scene.force.starts, *scene.friction.starts), default=Fraction(-1))
+
+
 def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settled | None:
     """Return how a trajectory closes in on a periodic motion; None if its horizon comes before that is proved.
 
     At its end it gives the limit, up to what can still slide; the earliest time, whole periods before, from which on
-    the motion stays within `near` of the limit (m, and m/s) is `since`. While more can still slide than that is
-    sharp and the balls of both motions are apart, a later horizon is sharper: None.
+    the motion stays within `near` of the limit (m, and m/s) is `since`: after the last piece of force and friction has
+    begun, as what acts before it may do anything in between. While more can still slide than that is sharp and the
+    balls of both motions are apart, a later horizon is sharper: None.
     """
     norm, period, left = orbit.drive.norm, orbit.drive.period, arb(0)
     end, limit, since = number(trajectory.scene.until), None, None
-    for back in range(int(float(end / period)) if trajectory.reached else 0):
+    begin = number(max(_last_start(trajectory.scene), Fraction(0)))
+    for back in count() if trajectory.reached else ():
         t = (end - back * period).mid()
+        if not t > begin:
+            break
         try:
             there = orbit.passage_at(t)
             apart = [a - b for a, b in zip(trajectory.sol(t), state_at(there, t), strict=True)]

@@ -99,6 +99,8 @@ def grown_in_cell(
     (fall, pull), (N, P) = rates, begun
     root = math.sqrt(fall * fall + 4.0 * kappa * pull)
     all_at, half = math.exp(0.5 * fall * t), 0.5 * root * t
-    slow, part = all_at * math.exp(-half), 2.0 * all_at * math.sinh(half) / root
+    slow, part = all_at * math.exp(-half), all_at * t
+    if root > 0.0:  # else the squares of both rates are below all floats
+        part = 2.0 * all_at * math.sinh(half) / root
     up, down = slow + 0.5 * (root + fall) * part, slow + 0.5 * (root - fall) * part
     return up * N + pull * part * P, kappa * part * N + down * P

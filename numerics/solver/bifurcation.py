@@ -58,7 +58,7 @@ def bifurcation(
     `period` in s; left out, 2 pi/omega of the sines that act on each scene; times are multiples of it. What comes
     before the last `keep` periods is left to the transient, so `until` should be some hundred periods. `jobs`
     processes need joblib; a chaotic motion is solved in balls, in a second rather than a millisecond. Raises TypeError,
-    InvalidScene (a scene without a period, or with a shorter run), ValueError.
+    InvalidScene (no scene, one without a period, or with a shorter run), ValueError.
 
     >>> from numerics import load_scene
     >>> bifurcation([load_scene("forced-sine-stick-slip").replace(until=40)], keep=10).y.shape
@@ -66,6 +66,8 @@ def bifurcation(
     """
     require_whole("keep", keep, 1)
     scenes = list(listed("scenes", scenes))
+    if not scenes:
+        raise InvalidScene("scenes = [] holds no scene; give at least one")
     for one in scenes:
         require_kind("bifurcation", one, Scene, "give a list of Scenes on a line")
     require_whole("jobs", jobs, 1)

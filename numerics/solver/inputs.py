@@ -18,7 +18,7 @@ from numerics.trajectory.columns import STATE, Floats
 from numerics.trajectory.status import Status
 
 SI = ("m1", "m2", "a2", "b", "x1", "v1", "x2", "v2", "until", "a1")
-"""The numbers of a scene, as the compiled engines take them (free/frame.py)."""
+"""The numbers of a scene, as compiled code takes them (linear/batch.py)."""
 
 
 def near(x: object) -> float:

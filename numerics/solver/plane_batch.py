@@ -42,7 +42,7 @@ def _solved(keep: int, max_events: int, scene: PlaneScene) -> dict[str, Any]:
         y = np.reshape(states, (4, -1, keep + 1)).swapaxes(1, 2)
         answers |= {f"t{end}": t[-1], f"energy{end}": energy[-1], f"y{end}": y[:, -1]}
         answers |= {f"event_t{end}": t[:-1], f"event_y{end}": y[:, :-1]}
-    return answers | {"event_mode": modes}
+    return answers | {"event_mode": np.array(modes, object)}  # texts also where none is kept
 
 
 def solve_surfaces(

@@ -38,7 +38,7 @@ _MOST_IN_BALLS = 10_000
 _FLOAT64 = Float64()
 _MANY_DIGITS = 560
 _LADDER = (_FLOAT64, *map(Ball, (34, 68, 136, *(_MANY_DIGITS << k for k in range(11)))))
-"""What decides a sequence, and finds digits, in the order in which they are tried; the last ones have MOST_DIGITS."""
+"""What decides a sequence, and finds digits, in the order in which they are tried: all that MOST_DIGITS allow."""
 _OF_A_SURFACE = 6, 2
 """Working digits beyond those that are wanted, and how often they are doubled, where a surface decides nothing."""
 

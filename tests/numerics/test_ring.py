@@ -115,6 +115,17 @@ def test_what_slides_in_the_periods_before_the_end_counts(monkeypatch):
     assert known(scene, near).since > t + 1
 
 
+def test_a_push_out_of_the_ring_counts_also_where_the_motion_is_back_within_the_period():
+    """@example of an entry before it: at all whole periods before the end the motion is near the periodic one."""
+    sine, t = Force.sine(160, "0.5"), np.append(np.linspace(61, 65, 4_001), 120)
+    own = Scene(Pair(1, 1, 100, "0.3", 20), State(), 120, force=sine)
+    pushed = replace(own, force=sine + Force.step(61, 60) - Force.step("61.5", 60))
+    x1, v1, x2, v2 = solve(pushed).sol(t) - solve(own).sol(t)
+    z = x1 - x2
+    last = t[np.hypot(z - z[-1], v1 - v2) > 0.5][-1]
+    assert 0 < float(ring_entry(pushed, "0.5", digits=6).entry) - last < 0.0011
+
+
 def test_what_can_still_slide_is_in_the_limit(monkeypatch):
     """@example of a fault that survived: it is far less than the last digits of balls."""
     monkeypatch.setattr(rings, "slide_left", lambda *_: arb("1e-6"))

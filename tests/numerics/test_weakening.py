@@ -66,6 +66,12 @@ def test_a_steep_fall_is_solved():
     assert solve(steep, arithmetic="ball", digits=24).success
 
 
+def test_float64_follows_a_slope_whose_square_is_below_all_floats():
+    run = solve(Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 1, friction=Friction((), Weakening((), "-1e-170"))))
+    assert (run.arithmetic.name, run.tried) == ("float64", "")
+    assert run.check().right
+
+
 @pytest.mark.parametrize("scene", [*SCENES.values(), *BALLS.values(), *ON_A_KNOT])
 def test_float64_follows_them_as_balls_do(scene):
     run = solve(scene)

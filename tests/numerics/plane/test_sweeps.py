@@ -50,6 +50,7 @@ def test_what_is_not_decided_or_beyond_floats_is_a_status_of_its_row():
     assert found.success.tolist() == [True, False, False]
     assert "inside the friction set" in found.message[1]
     assert np.isnan(found.energy).tolist() == [False, True, True]
+    assert (found.event_mode.shape, found.event_mode.dtype) == ((3, 0), object)  # texts, though none is kept
     assert heard == [(1, 3), (2, 3), (3, 3)]
     capped = [*PUSHED, PUSHED[0].replace(pair=PlanePair(1, 1, 200, "0.5", shape="box"))]
     assert {*solve_scenes(capped, jobs=1, max_events=1).status} == {Status.EVENT_LIMIT}
