@@ -21,7 +21,7 @@ _ACTIVE = threading.local()
 
 
 class _Line:
-    """What is shown while some work lasts: it is told how far that is, and writes now and then.
+    """What is shown while some work lasts: it takes how far that is, and writes now and then.
 
     With `ticks` it also counts the seconds of work that tells nothing.
     """

@@ -15,7 +15,7 @@ _EVENT, _PIECE, _LOCAL, _X1, _LATE = (AT[name] for name in ("event", "piece", "l
 _EVENTS = AT["events"]
 _ERRORS = AT["x1_error"]
 JUDGED = ("times", "positions", "velocities", "energy", "energy excess")
-"""What errors are told of."""
+"""Of what the worst errors are given."""
 
 
 @compilable_with(makes_arrays=True, forceinline=False)

@@ -44,7 +44,7 @@ _OF_A_SURFACE = 6, 2
 
 
 class Limits(NamedTuple):
-    """What bounds a solve, and who is told of its progress."""
+    """What bounds a solve, and what takes its progress."""
 
     events: int = MAX_EVENTS
     digits: int = MAX_DIGITS
