@@ -10,6 +10,7 @@ from flint import arb
 from scene_files import scenes_in
 
 from numerics import (
+    Force,
     NotSettled,
     Pair,
     Scene,
@@ -119,7 +120,7 @@ def test_a_push_out_of_the_ring_counts_also_where_the_motion_is_back_within_the_
     """@example of an entry before it: at all whole periods before the end the motion is near the periodic one."""
     sine, t = Force.sine(160, "0.5"), np.append(np.linspace(61, 65, 4_001), 120)
     own = Scene(Pair(1, 1, 100, "0.3", 20), State(), 120, force=sine)
-    pushed = replace(own, force=sine + Force.step(61, 60) - Force.step("61.5", 60))
+    pushed = own.replace(force=sine + Force.step(61, 60) - Force.step("61.5", 60))
     x1, v1, x2, v2 = solve(pushed).sol(t) - solve(own).sol(t)
     z = x1 - x2
     last = t[np.hypot(z - z[-1], v1 - v2) > 0.5][-1]

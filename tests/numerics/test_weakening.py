@@ -13,7 +13,9 @@ from numerics import (
     EventUndecided,
     Friction,
     OutOfRange,
+    Pair,
     Scene,
+    State,
     Weakening,
     solve,
 )
