@@ -241,12 +241,15 @@ def _flat(given: Any) -> Any:
 
 
 def compared(scene: Scene, arithmetic: str) -> tuple[Trajectory, list[Compared]]:
-    """A run, and every number of it and of a batch against the true ones. Raises LeftOut where nothing is sure."""
+    """A run, and every number of it and of a batch against the true ones.
+
+    Raises LeftOut where nothing is sure, and where there are no reduced coordinates.
+    """
     try:
         run = solve(scene, arithmetic=arithmetic, max_events=EVENTS)
     except NumericsError:
         raise LeftOut from None
-    if not run.certain:
+    if not (run.certain and run.has_frame):
         raise LeftOut
     rows = against(run, truth := solved_truly(scene))
     if arithmetic == "float64":

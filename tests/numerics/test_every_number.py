@@ -33,6 +33,7 @@ ELSEWHERE = [
     "from-the-start",
     "in-doubt",
     "left-open",
+    "long-sticks",
     "one-answer",
     "rest-to-rest",
     "signals",
