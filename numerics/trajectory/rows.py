@@ -87,7 +87,7 @@ class Rows(Answer[Mode]):
     def row_times(self) -> Array:
         """Return when each row's segment begins, s."""
         local = self.row_column("local")[:-1]
-        if len(self.pieces) == 1:
+        if len(self.pieces) == 1 or not self.row_pieces.any():
             return local
         if self.bounded:
             return np.asarray(starts_of(self.scene)[0, self.row_pieces] + local)
