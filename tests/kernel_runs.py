@@ -15,11 +15,11 @@ from numerics import Law, State, Trajectory
 from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.linear.cells import cells_of
-from numerics.linear.engine import _exact_rows
+from numerics.linear.engine import _exact_rows, _run
 from numerics.linear.exact_start import exact_knots
-from numerics.linear.kernel import Log, begin, follow
+from numerics.linear.kernel import begin
 from numerics.linear.prepare import Prepared, prepare
-from numerics.linear.record import AT, END_ROW, ROW, How, Record, finish
+from numerics.linear.record import AT, ROW, How, Record, finish
 from numerics.linear.room import enter, form_z, run_of, space_for
 from numerics.trajectory.events import taken_in
 
@@ -55,21 +55,21 @@ class Run(NamedTuple):
 def run(scene, by=NOTHING, most=60):
     """A run that is told that x1, v1, x2 and v2 may be off by so much at the start."""
     prepared, cells = prepare(scene), cells_of(scene)
-    start, rows, end = prepared.start.copy(), np.empty((500, ROW)), np.zeros(END_ROW)
+    starts = prepared.starts.copy()
+    start = starts[0]
     if cells is not None:
         start[:ROW] = _exact_rows(prepared, exact_knots(scene, prepared.pieces)[:1])[0]
         start[AT["jump"]] = start[BOUNDS[1:]] = 0.0
     for k, exponent in enumerate([prepared.units.of(length=1), prepared.units.of(length=1, time=-1)] * 2):
         start[BOUNDS[1 + k]] = math.ldexp(abs(float(by[k])), -exponent)
-    space = space_for(prepared.problem.tables)
-    how, count = compiled(follow)(prepared.problem, space, start, -1.0, Log(rows, end, most, True))
+    how, rows, end = _run(prepared, starts, -1.0, most)
     if how < 3:
         mass, time, length = prepared.units
-        record = Record(rows[:count].copy(), end.copy(), How(how), int(end[AT["events"]]))
-        compiled(finish)(record.rows, record.end, *prepared.units)
-        taken = taken_in(Trajectory(scene, Float64(), record), range(count - (how == 2)))
+        record = Record(rows.copy(), end.copy(), How(how), int(end[AT["events"]]))
+        compiled(finish)(record.rows[None], record.end[None], prepared.to_si)
+        taken = taken_in(Trajectory(scene, Float64(), record), range(len(rows) - (how == 2)))
         end[AT["friction"] :] = np.ldexp(taken, 2 * time - mass - 2 * length)
-    return Run(how, rows[:count], end, prepared)
+    return Run(how, rows, end, prepared)
 
 
 def moved(scene, by):
@@ -113,7 +113,7 @@ def in_stick(scene, by):
 def begun(scene, mode=0, by=NOTHING):
     """A run in which its start stands with z, and where it is, in a mode of its first piece."""
     prepared = prepare(scene)
-    start, run = prepared.start.copy(), run_of(prepared.problem, space_for(prepared.problem.tables))
+    start, run = prepared.starts[0].copy(), run_of(prepared.problems, 0, space_for(prepared.problems.tables))
     start[AT["mode"]], start[AT["jump"]], start[BOUNDS[1:]] = mode, 0, by
     now, _ = begin(run, start)
     form_z(run, 0)

@@ -62,6 +62,15 @@ def compilable_with(*, makes_arrays: bool = False, **options: Any) -> Callable[[
     return register
 
 
+def inlined(function: _Function) -> _Function:
+    """Register a function that has one caller, which takes it in before types are inferred.
+
+    It is not compiled by itself then, which halves what LLVM has to do. Were this asked for more functions than have
+    it, numba would take longer than LLVM saves.
+    """
+    return compilable_with(inline="always")(function)
+
+
 @cache
 def can_compile() -> bool:
     """Return whether numba is installed and not switched off by NUMBA_DISABLE_JIT, which numba reads once, too."""

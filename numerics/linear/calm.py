@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.compiled import compilable, compilable_with, inlined
 from numerics.arithmetic.pair import TwoFloats
 from numerics.linear.evolve import moved
 from numerics.linear.model import EDGE, FORCE, FORCE_2, FRICTION, LOAD, STICK, V1, WALL, X1
@@ -31,7 +31,7 @@ class Calm(NamedTuple):
     begun: int
 
 
-@compilable
+@inlined
 def look_ahead(run: Run, now: Now, calm: Calm, step: int, is_end: bool) -> Calm:
     """Return whether the rest is calm where that is open: at the end, and if it is time to look and much is left."""
     is_time = now.order == 0 and step >= calm.look and is_long(run, now)
@@ -45,25 +45,24 @@ def look_ahead(run: Run, now: Now, calm: Calm, step: int, is_end: bool) -> Calm:
 @compilable
 def is_long(run: Run, now: Now) -> bool:
     """Return whether more than a few steps of stick are left of the piece."""
-    return bool(run.drive.length[now.piece, 0] - run.clock[0, 0] > 8.0 * run.tables.steps[place_of(run, now)])
+    return bool(run.drive.length[now.piece, 0] - run.clock[0, 0] > 8.0 * run.tables.steps[place_of(now)])
 
 
-@compilable
+@inlined
 def step_over(run: Run, now: Now, calm: Calm) -> Now:
     """Stick through the rest of a piece but for less than a step, if it is calm and long."""
-    kind, _ = place_of(run, now)
     if not (calm.is_calm and is_long(run, now) and len(run.z) <= _MOST_COLUMNS):
         return now
-    if run.drive.length[now.piece, 0] - run.clock[0, 0] > _MOST_STEPS * run.tables.steps[kind, STICK]:
+    if run.drive.length[now.piece, 0] - run.clock[0, 0] > _MOST_STEPS * run.tables.steps[now.kind, STICK]:
         # with an error beyond all range
-        return Now(now.piece, 0, now.cell, 0, now.edge, now.late, math.inf, now.far, now.far_2, now.apart, math.inf)
+        return Now(now.piece, 0, now.kind, 0, now.edge, now.late, math.inf, now.far, now.far_2, now.apart, math.inf)
     return long_step(run, now)
 
 
 @compilable
 def rest_is_calm(run: Run, now: Now) -> bool:
     """Return whether |Lambda| < b is proved from here to the end of the piece, however late that is."""
-    tables, (kind, _), z = run.tables, place_of(run, now), run.z
+    tables, kind, z = run.tables, now.kind, run.z
     A, others, blocks = tables.A[kind, STICK], tables.lines[kind, STICK, OTHERS:RATES], tables.blocks[kind]
     first, terms, sines, waves = blocks[FORCE]
     numbers, constants = 0, min(blocks[FORCE_2, 1], 1) + min(blocks[WALL, 1], 1)
@@ -104,10 +103,9 @@ def rest_is_calm(run: Run, now: Now) -> bool:
 def long_step(run: Run, now: Now) -> Now:
     """Stick to the end of the piece but for less than a step, the longest powers of exp(A h) first."""
     norm, tables, length = run.norm, run.tables, run.drive.length[now.piece, 0]
-    kind, _ = place_of(run, now)
-    h, count, scale = tables.steps[kind, STICK], len(run.z), (norm.root_a2, norm.root_m1, 0.0, norm.root_m2)
+    h, count, scale = tables.steps[now.kind, STICK], len(run.z), (norm.root_a2, norm.root_m1, 0.0, norm.root_m2)
     levels = 1 + max(0, math.floor(math.log2((length - run.clock[0, 0]) / h)))
-    powers = doubled(tables.A[kind, STICK], h, levels)
+    powers = doubled(tables.A[now.kind, STICK], h, levels)
     while True:
         left = length - run.clock[0, 0]
         level = min(levels - 1, math.floor(math.log2(left / h))) if left >= h else -1

@@ -18,10 +18,11 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange
 from numerics.linear.cells import Cells
 from numerics.linear.exact_start import ExactKnot, exact_knots
-from numerics.linear.kernel import TOO_MANY, Log, follow
+from numerics.linear.kernel import TOO_MANY, Log, follow_all
 from numerics.linear.ledger import TINY, ledger
+from numerics.linear.model import Norm
 from numerics.linear.prepare import Prepared, halves, prepare, rounded
-from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
+from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How, Record, factors_of, finish
 from numerics.linear.room import space_for
 from numerics.linear.table import ORDERS, UNIT
 from numerics.scene import Scene
@@ -52,7 +53,7 @@ def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) 
     """Solve a scene in float64. Raises EventUndecided, OutOfRange."""
     prepared, how = prepare(scene), int(How.DOUBT)
     if prepared.cells is None:
-        how, rows, end = _run(prepared, prepared.start, -1.0, max_events)
+        how, rows, end = _run(prepared, prepared.starts, -1.0, max_events)
     if how == How.DOUBT:
         known = exact_knots(scene, prepared.pieces)
         if prepared.cells or len(known) > 1 or known[-1].order > 0 or known[-1].quiet > known[-1].local:
@@ -61,7 +62,8 @@ def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) 
     _require_answer(how, prepared, end)
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
-    if not compiled(finish)(rows, end, *prepared.units):
+    compiled(finish)(rows[None], end[None], prepared.to_si)
+    if end[AT["how"]] == UNKNOWN:
         raise OutOfRange.of("a position, a velocity or an energy on the way", "float64")
     return Record(rows, end, _HOWS[how], int(end[AT["events"]]))
 
@@ -71,31 +73,31 @@ def ledger_of(scene: Scene, record: Record) -> tuple[NDArray[np.float64], list[i
 
     Without the rows, returned too, whose segments are too long for steps.
     """
-    prepared, count = prepare(scene), len(record.rows) - (record.how == How.EVENT_LIMIT)
-    rows, end, taken, (mass, time, length) = record.rows.copy(), record.end.copy(), np.zeros(7), prepared.units
-    compiled(finish)(rows, end, -mass, -time, -length)
-    space, long, first = space_for(prepared.problem.tables), list[int](), 0
-    while (first := compiled(ledger)(prepared.problem, space, rows, first, count, end, taken)) < count:
-        long.append(first)
-        first += 1
-    found = np.ldexp(taken, mass + 2 * length - 2 * time)
-    found[6] += TINY if taken[6] > 0.0 else 0.0
-    return found, long
+    prepared = prepare(scene)
+    (mass, time, length), rows, ends = prepared.units, record.rows[None].copy(), record.end[None].copy()
+    ends[0, AT["how"]], ends[0, AT["rows"]] = record.how, len(record.rows)  # it may be a part of a run
+    compiled(finish)(rows, ends, factors_of([[-mass, -time, -length]]))
+    problems, taken, is_long = prepared.problems, np.zeros((1, 7)), np.zeros(rows.shape[:2], dtype=bool)
+    compiled(ledger)(problems, space_for(problems.tables), rows, ends, taken, is_long)
+    found = np.ldexp(taken[0], mass + 2 * length - 2 * time)
+    found[6] += TINY if taken[0, 6] > 0.0 else 0.0
+    return found, np.flatnonzero(is_long[0]).tolist()
 
 
 def _run(
-    prepared: Prepared, start: NDArray[np.float64], clear: float, most: int
+    prepared: Prepared, starts: NDArray[np.float64], clear: float, most: int
 ) -> tuple[int, NDArray[np.float64], NDArray[np.float64]]:
     """Return how the kernel ended, its rows, and the row of the end."""
-    problem, room, end = prepared.problem, prepared.room(most), np.zeros(END_ROW)
+    problems, room, ends = prepared.problems, prepared.room(most), np.zeros((1, END_ROW))
     while True:
-        rows = np.empty((room, ROW))
+        rows = np.empty((1, room, ROW))
         try:
-            how, count = compiled(follow)(problem, space_for(problem.tables), start, clear, Log(rows, end, most, True))
+            compiled(follow_all)(problems, space_for(problems.tables), starts, clear, Log(rows, ends, most, True))
         except (ZeroDivisionError, OverflowError, ValueError):  # plain Python has no nan to carry on with
-            return How.OUT_OF_RANGE, rows[:0], end
+            return How.OUT_OF_RANGE, rows[0, :0], ends[0]
+        how, count = int(ends[0, AT["how"]]), int(ends[0, AT["rows"]])
         if count <= room:
-            return how, rows[:count], end
+            return how, rows[0, :count], ends[0]
         room = count
 
 
@@ -111,18 +113,19 @@ def _from_exact(
     order = int(rows[-1, AT["order"]])
     if not is_cut and abs(order) > _MOST_ORDER and not last.quiet > last.local:
         return How.DOUBT, rows[:0], np.zeros(END_ROW)
-    start = np.zeros(END_ROW)
+    starts = np.zeros((1, END_ROW))
+    start = starts[0]
     start[:ROW] = rows[-1]
     if is_cut:
-        start[AT["how"]], start[AT["events"]] = How.EVENT_LIMIT, most
+        start[AT["events"]], start[AT["rows"]] = most, len(rows)
         return How.EVENT_LIMIT, rows, start
     start[AT["order"]], start[AT["jump"]] = min(order, _MOST_ORDER), 0.0
-    how, found, end = _run(prepared, start, halves(last.quiet, prepared.units.time)[0], most - len(events))
+    how, found, end = _run(prepared, starts, halves(last.quiet, prepared.units.time)[0], most - len(events))
     found[:1, _OF_EXACT] = rows[-1, _OF_EXACT]
     piece = prepared.pieces[-1]
     if how == How.REACHED and last.mode == 0 and last.quiet == piece.length and len(piece.polynomial) <= 1:
         how = How.STUCK if last.piece + 1 == len(prepared.pieces) else how  # what holds it there holds it later, too
-    end[AT["events"]] += len(events)
+    end[AT["events"]], end[AT["rows"]] = end[AT["events"]] + len(events), len(rows) - 1 + len(found)
     return how, np.concatenate([rows[:-1], found]), end
 
 
@@ -138,7 +141,7 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.fl
         state = (form.rounded(256) for form in one.state)
         row[_STATE] = [rounded(x, unit) for x, unit in zip(state, [units.length, speed] * 2, strict=True)]
     rows[:, AT["x1_error"] : AT["speed_error"]] = UNIT * np.abs(rows[:, _STATE])
-    norm, (x1, v1, _, v2) = prepared.problem.norm, rows[:, AT["x1_error"] : AT["speed_error"]].T
+    norm, (x1, v1, _, v2) = Norm(*prepared.problems.norms[0]), rows[:, AT["x1_error"] : AT["speed_error"]].T
     rows[:, AT["speed_error"]] = (norm.root_a2 * x1 + norm.root_m1 * v1 + norm.root_m2 * v2) / norm.root_m1
     return rows
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.compiled import compilable, compilable_with, inlined
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, two_product
 from numerics.linear.first_root import value_slope
 from numerics.linear.model import KINETIC, V1, X1, X2
@@ -13,19 +13,19 @@ from numerics.linear.room import Now, Run, dot, place_of, polynomial_of
 from numerics.linear.table import FLOW, OTHERS, OWN, STATE, UNIT
 
 
-@compilable
+@inlined
 def evolve(run: Run, now: Now, s: float) -> Now:
     """Move state, clock and errors by a part s of a step; return where the run is."""
-    tables, at, is_part = run.tables, place_of(run, now), 1 if s != 1.0 else 0
-    h, lines = tables.steps[at], tables.lines[at]
+    tables, at, is_part = run.tables, place_of(now), 1 if s != 1.0 else 0
+    h, lines, q = tables.steps[at], tables.lines[at], run.series[0]
     if is_part:
         for x in range(X1, STATE if now.mode != 0 else V1, X2 - X1):
-            polynomial_of(tables.rows[at][x], tables.degrees[at][x], run.z, 0, run.q)
-            run.y[x], slope = value_slope(run.q, s)
+            polynomial_of(tables.rows[at][x], tables.degrees[at][x], run.z, 0, q)
+            run.y[x], slope = value_slope(q, s)
             run.y[x + 1] = slope / h
         if now.mode == 0 and run.norm.root_m2 == 0.0:  # exactly the velocity of a steady belt
-            polynomial_of(tables.rows[at][V1], tables.degrees[at][V1], run.z, 0, run.q)
-            run.y[V1], _ = value_slope(run.q, s)
+            polynomial_of(tables.rows[at][V1], tables.degrees[at][V1], run.z, 0, q)
+            run.y[V1], _ = value_slope(q, s)
     else:
         for i in range(STATE):
             run.y[i] = dot(lines[FLOW + i], run.z)
@@ -65,20 +65,20 @@ def moved(run: Run, now: Now, time: TwoFloats, own: tuple[float, float, float], 
     far_2 = now.far_2 + own_2 + (most / norm.root_m2 * time.high if norm.root_m2 > 0.0 else 0.0)
     speed_apart = now.speed_apart + parting(run, now, most, apart) * time.high + norm.kappa * own[0]
     speed_apart, late = min(norm.kappa * most, speed_apart), max(0.0, now.late - time.high)
-    return Now(now.piece, now.mode, now.cell, 0, now.edge, late, N, far, far_2, apart + parted, speed_apart)
+    return Now(now.piece, now.mode, now.kind, 0, now.edge, late, N, far, far_2, apart + parted, speed_apart)
 
 
 @compilable
 def parting(run: Run, now: Now, N: float, apart: float) -> float:
     """Return by how much two motions in one cell may part in v1' - v2', with these bounds on their difference."""
-    kappa, friction = run.norm.kappa, run.tables.lines[place_of(run, now)][OTHERS + KINETIC]
+    kappa, friction = run.norm.kappa, run.tables.lines[place_of(now)][OTHERS + KINETIC]
     return run.norm.bend * N + kappa * kappa * (abs(friction[V1]) * kappa * N + abs(friction[X2]) * apart)
 
 
 @compilable
 def grown(run: Run, now: Now, N: float, t: float) -> tuple[float, float]:
     """Return bounds on N and on the error of x1 - x2 after a time in a mode, from N now."""
-    kappa, friction = run.norm.kappa, run.tables.lines[place_of(run, now)][OTHERS + KINETIC]
+    kappa, friction = run.norm.kappa, run.tables.lines[place_of(now)][OTHERS + KINETIC]
     fall, pull = max(0.0, -friction[V1]), abs(friction[X2])
     if now.mode == 0:
         return N, now.apart

@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.compiled import compilable, compilable_with, inlined
 from numerics.linear.calm import Calm, look_ahead, step_over
 from numerics.linear.evolve import evolve
 from numerics.linear.first_root import ROOT, UNDECIDED
@@ -34,7 +34,7 @@ from numerics.linear.resolve import (
     resolve,
 )
 from numerics.linear.resolve import UNDECIDED as UNDECIDED_MODE
-from numerics.linear.room import Now, Problem, Run, enter, form_z, place_of, run_of
+from numerics.linear.room import Now, Problems, Run, enter, form_z, place_of, run_of
 from numerics.linear.table import OF_V1, OF_V2, STATE, UNIT
 
 GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
@@ -43,13 +43,14 @@ MOST_STEPS = 400_000
 _MODE, _ORDER, _EVENT, _JUMP, _PIECE, _CELL = (AT[name] for name in CODES)
 _LOCAL, _REST, _LENGTH = (AT[name] for name in ("local", "local_rest", "length"))
 _X1, _LATE, _ERRORS = (AT[name] for name in ("x1", "late", "x1_error"))
-_HOW, _EVENTS = AT["how"], AT["events"]
+_HOW, _EVENTS, _ROWS = AT["how"], AT["events"], AT["rows"]
 
 
 class Log(NamedTuple):
-    """Where a run is recorded: its rows, the row of its end; and of how many events at most.
+    """Where a run is recorded: its rows (k, ROW), the row of its end; and of how many events at most.
 
-    A row for the start and for every event; if `keeps_all` for every piece, too. What has no room is left out.
+    A row for the start and for every event; if `keeps_all` for every piece, too. What has no room is left out, but
+    counted at the end.
     """
 
     rows: Any
@@ -59,13 +60,20 @@ class Log(NamedTuple):
 
 
 @compilable_with(forceinline=False)
-def follow(problem: Problem, space: Any, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
-    """Follow the modes from a start to the end of the last piece; return (how, rows written or left out).
+def follow_all(problems: Problems, space: Any, starts: Any, clear_until: float, logs: Log) -> None:
+    """Follow every problem from its start (n, ROW); each has its part of the logs, (n, k, ROW) and (n, END_ROW)."""
+    for one in range(len(starts)):
+        log = Log(logs.rows[one], logs.end[one], logs.most, logs.keeps_all)
+        follow(run_of(problems, one, space), starts[one], clear_until, log)
+
+
+@inlined
+def follow(run: Run, start: Any, clear_until: float, log: Log) -> None:
+    """Follow the modes from a start to the end of the last piece.
 
     Where the start says `jump` its mode follows from velocities and load; else mode and order are known. Up to
     `clear_until` (time in the first piece) no event happens.
     """
-    run = run_of(problem, space)
     now, event = begin(run, start)
     calm, how = Calm(False, 0, 0), GOES_ON
     for step in range(MOST_STEPS):
@@ -89,7 +97,7 @@ def follow(problem: Problem, space: Any, start: Any, clear_until: float, log: Lo
         now, event, how = arrive(run, now, ahead, to)
     else:
         how = TOO_MANY
-    return close(run, now, STUCK if how == REACHED and calm.is_calm else how, log)
+    close(run, now, STUCK if how == REACHED and calm.is_calm else how, log)
 
 
 @compilable
@@ -98,7 +106,7 @@ def off_at(start: Any, i: int) -> float:
     return UNIT * abs(start[_X1 + i]) + start[_ERRORS + i]
 
 
-@compilable
+@inlined
 def begin(run: Run, start: Any) -> tuple[Now, StepEnd]:
     """Put a start into the room; return where the run is, and what is to be resolved first."""
     norm, N = run.norm, 0.0
@@ -109,40 +117,41 @@ def begin(run: Run, start: Any) -> tuple[Now, StepEnd]:
     x1, x2 = off_at(start, 0), off_at(start, 2)
     run.clock[0, 0], run.clock[0, 1] = start[_LOCAL], start[_REST]
     run.clock[1, :] = 0.0
-    order, cell = int(start[_ORDER]), int(start[_CELL])
+    order, kind = int(start[_ORDER]), run.drive.places[int(start[_PIECE]), 0] + int(start[_CELL])
     edge = 0 if order >= 0 else 1  # a slip that starts below its ceiling has a negative order
     parted = norm.kappa * N
-    now = Now(int(start[_PIECE]), int(start[_MODE]), cell, abs(order), edge, 0.0, N, x1, x2, x1 + x2, parted)
+    now = Now(int(start[_PIECE]), int(start[_MODE]), kind, abs(order), edge, 0.0, N, x1, x2, x1 + x2, parted)
     return now, StepEnd(CONTACT if start[_JUMP] == 1.0 and start[_MODE] == 0.0 else PIECE, 0.0)
 
 
-@compilable
+@inlined
 def arrive(run: Run, now: Now, ahead: Next, step: Step) -> tuple[Now, StepEnd, int]:
     """Return where the run is at the end of a step, what happens there, and how it ends there if it does."""
     y, nothing = run.y, StepEnd(NOTHING, 0.0)
     if not abs(y[0]) + abs(y[1]) + abs(y[2]) + abs(y[3]) + now.N < 1e300:
         return now, nothing, OUT_OF_RANGE
     if ahead.how == ROOT:
-        h = run.tables.steps[place_of(run, now)]
+        h = run.tables.steps[place_of(now)]
         now, event = arrived(run, now, ahead)
         # of an end of a cell also where a contact may have come before it: then x1 - x2 turns next to it
         is_near = ahead.alone * h < 16.0 * now.late or (step.end - ahead.s) * h < 4.0 * now.late
-        return now, event, DOUBT if is_near or run.tables.steep[0] * now.late > 0.25 else GOES_ON
+        return now, event, DOUBT if is_near or run.norm.steep * now.late > 0.25 else GOES_ON
     if not step.is_last or ahead.s != step.end:
         return now, nothing, GOES_ON
     places, piece = run.drive.places, now.piece + 1
     if piece == places.shape[0]:
         return now, nothing, STUCK if now.mode == 0 and run.literal else REACHED
     run.clock[0, :] = 0.0
-    kind = CONTACT if places[piece, 4] == 1 or (now.mode == 0 and places[piece, 3] == 1) else PIECE
+    kind = places[piece, 0] + now.kind - places[now.piece, 0]  # of the same cell
+    what = CONTACT if places[piece, 4] == 1 or (now.mode == 0 and places[piece, 3] == 1) else PIECE
     return (
-        Now(piece, now.mode, now.cell, 0, now.edge, now.late, now.N, now.far, now.far_2, now.apart, now.speed_apart),
-        StepEnd(kind, 0.0),
+        Now(piece, now.mode, kind, 0, now.edge, now.late, now.N, now.far, now.far_2, now.apart, now.speed_apart),
+        StepEnd(what, 0.0),
         GOES_ON,
     )
 
 
-@compilable
+@inlined
 def record(run: Run, now: Now, event: StepEnd, is_event: bool, log: Log) -> int:
     """Record the start of a segment, if the log has room for it; the last event that is asked for is an end, too."""
     counts, room_for, may_end = run.counts, log.rows.shape[0], False
@@ -169,7 +178,7 @@ def record(run: Run, now: Now, event: StepEnd, is_event: bool, log: Log) -> int:
 def write(run: Run, row: Any, now: Now, late: float) -> None:
     """Write the state at the clock, and its bounds: within `late` of an event either mode may act."""
     norm, y = run.norm, run.y
-    row[_MODE], row[_PIECE], row[_CELL] = now.mode, now.piece, now.cell
+    row[_MODE], row[_PIECE], row[_CELL] = now.mode, now.piece, now.kind - run.drive.places[now.piece, 0]
     row[_LOCAL], row[_REST], row[_LENGTH] = run.clock[0, 0], run.clock[0, 1], run.clock[1, 0]
     for i in range(STATE):
         row[_X1 + i] = y[i]
@@ -194,13 +203,13 @@ def write(run: Run, row: Any, now: Now, late: float) -> None:
     row[_ERRORS + 4] = now.N / norm.root_m1
 
 
-@compilable
-def close(run: Run, now: Now, how: int, log: Log) -> tuple[int, int]:
-    """Write the row of the end, where z is; return how the run ended, and how many rows there are."""
+@inlined
+def close(run: Run, now: Now, how: int, log: Log) -> None:
+    """Write the row of the end, where z is, and how the run ended."""
     end, counts = log.end, run.counts
     if how != EVENT_LIMIT:
         write(run, end, now, 0.0)
         end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
-    end[_HOW], end[_EVENTS] = how, counts[1]
-    end[_EVENTS + 1 :] = math.nan
-    return how, int(counts[2]) + 1 if how == EVENT_LIMIT else int(counts[0])
+    end[_HOW], end[_EVENTS], end[_ROWS] = how, counts[1], counts[2] + 1.0 if how == EVENT_LIMIT else counts[0]
+    for k in range(_ROWS + 1, len(end)):
+        end[k] = math.nan

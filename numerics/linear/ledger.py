@@ -10,12 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.compiled import compilable, compilable_with, inlined
 from numerics.arithmetic.pair import pair_of, plus, put, two_product
 from numerics.linear.first_root import value_slope
+from numerics.linear.kernel import EVENT_LIMIT, OUT_OF_RANGE
 from numerics.linear.model import V1, V2, X1, X2, Norm
 from numerics.linear.record import AT
-from numerics.linear.room import Problem, Run, dot, enter, form_z, meeting, polynomial_of, run_of, size_of
+from numerics.linear.room import Problems, Run, dot, enter, form_z, has_cells, meeting, polynomial_of, run_of, size_of
 from numerics.linear.table import LINES, POWERS, STATE, UNIT
 
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
@@ -26,6 +27,7 @@ LONG = 256.0
 """Segments of more steps are left to an enclosure (trajectory/events.py)."""
 _MODE, _PIECE, _CELL, _LOCAL, _REST = (AT[name] for name in ("mode", "piece", "cell", "local", "local_rest"))
 _LENGTH, _X1, _LATE, _X1_ERROR, _ERROR = (AT[name] for name in ("length", "x1", "late", "x1_error", "speed_error"))
+_HOW, _ROWS = AT["how"], AT["rows"]
 
 
 @compilable
@@ -35,40 +37,40 @@ def parts(terms: int) -> int:
 
 
 @compilable_with(forceinline=False)
-def ledger(problem: Problem, space: Any, rows: Any, first: int, count: int, end: Any, taken: Any) -> int:
-    """Add to `taken` (7,) what is TAKEN in a run, from its rows and that of its end, and a bound on all errors.
+def ledger(problems: Problems, space: Any, rows: Any, ends: Any, taken: Any, is_long: Any) -> None:
+    """Add to `taken` (n, 7) what is TAKEN in runs, from their rows (n, k, ROW) and ends, and a bound on all errors.
 
-    Return the row at which a segment is too long for steps, which is left out, or `count`.
+    A segment that is too long for steps is left out, and marked in `is_long` (n, k).
     """
-    run = run_of(problem, space)
-    for k in range(first, count + 1 if count > 0 else 0):
-        row = rows[k] if k < count else end
-        taken[6] += at_event(run, row)  # which starts from there
-        if k == count:
-            break
-        after = rows[k + 1] if k + 1 < count else end
-        piece, mode = int(row[_PIECE]), int(row[_MODE])
-        here = piece, mode, run.drive.places[piece, 0] + int(row[_CELL])
-        h, left, N = run.tables.steps[here[2], 1 if mode == 0 else 0], after[_LENGTH], off_in(run, after)
-        if left > LONG * h:
-            return k
-        while left > 0.0:
-            s = min(1.0, left / h)
-            step(run, here, s, N, taken)
-            left = left - h if s == 1.0 else 0.0
-    return count
+    for one in range(len(ends)):
+        run, end, found = run_of(problems, one, space), ends[one], taken[one]
+        count = int(end[_ROWS]) - (1 if end[_HOW] == EVENT_LIMIT else 0)
+        for k in range(count + 1 if end[_HOW] < OUT_OF_RANGE else 0):
+            row = rows[one, k] if k < count else end
+            found[6] += at_event(run, row)  # which starts from there
+            if k == count:
+                break
+            after = rows[one, k + 1] if k + 1 < count else end
+            piece, mode = int(row[_PIECE]), int(row[_MODE])
+            here = piece, mode, run.drive.places[piece, 0] + int(row[_CELL])
+            h, left, N = run.tables.steps[here[2], 1 if mode == 0 else 0], after[_LENGTH], off_in(run, after)
+            is_long[one, k] = left > LONG * h
+            while left > 0.0 and not is_long[one, k]:
+                s = min(1.0, left / h)
+                step(run, here, s, N, found)
+                left = left - h if s == 1.0 else 0.0
 
 
 @compilable
 def off_in(run: Run, row: Any) -> float:
     """Return N of the error in a row; where friction has cells the root of m1 times what x1 - x2 is off by, if more."""
     off = row[_ERROR]
-    if len(run.tables.ends) > 1:
+    if has_cells(run.tables, run.drive.places[0, 0]):
         off = max(off, row[_X1_ERROR] + row[_X1_ERROR + 2])
     return off * run.norm.root_m1
 
 
-@compilable
+@inlined
 def step(run: Run, here: tuple[int, int, int], s: float, N: float, taken: Any) -> None:
     """Add what is taken over a part of a step (in a piece, mode and kind), and move on by it; N of the error."""
     tables, (piece, mode, kind) = run.tables, here
@@ -78,7 +80,7 @@ def step(run: Run, here: tuple[int, int, int], s: float, N: float, taken: Any) -
     enter(run, piece, mode)
     for body in range(2):
         x = X2 * body
-        polynomial_of(tables.rows[kind, side, x], tables.degrees[kind, side, x], run.z, 0, run.curves[body])
+        polynomial_of(tables.rows[kind, side, x], tables.degrees[kind, side, x], run.z, 0, run.series[body])
     begun = pair_of(run.clock[0])
     for part in range(cut):
         for n in range(NODES.shape[0]):
@@ -101,7 +103,7 @@ def step(run: Run, here: tuple[int, int, int], s: float, N: float, taken: Any) -
 def put_state(run: Run, s: float, h: float) -> None:
     """Write the state from its Taylor polynomials."""
     for body in range(2):
-        run.y[X2 * body], slope = value_slope(run.curves[body], s)
+        run.y[X2 * body], slope = value_slope(run.series[body], s)
         run.y[X2 * body + 1] = slope / h
 
 
@@ -112,7 +114,7 @@ def at_event(run: Run, row: Any) -> float:
     for i in range(STATE):
         run.y[i] = row[_X1 + i]
     run.clock[0, 0], run.clock[0, 1] = row[_LOCAL], row[_REST]
-    tables, kind = run.tables, meeting(run, piece, int(row[_CELL]), 0)
+    tables, kind = run.tables, meeting(run.tables, run.drive.places[piece, 0] + int(row[_CELL]), 0)
     form_z(run, piece)
     for side in range(2):
         for k in range(6):

@@ -28,7 +28,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import fmpq
 
-from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.scene import Pair
 
 X1, V1, X2, V2, FIRST = range(5)
@@ -70,29 +69,32 @@ class Bodies(NamedTuple):
 
 
 class Norm(NamedTuple):
-    """What N of an error says of rows, floats: |row| <= number N."""
+    """What N of an error says of rows, floats or arrays of them: |row| <= number N."""
 
-    root_a2: float
-    root_m1: float
-    root_m2: float
+    root_a2: Any
+    root_m1: Any
+    root_m2: Any
     """0 for an infinite m2"""
-    kappa: float
+    kappa: Any
     """of v1 - v2"""
-    bend: float
+    bend: Any
     """of v1' in one mode"""
-    load: float
+    load: Any
     """of Lambda in stick"""
+    steep: Any
+    """the most of a slope of friction in any cell, times kappa^2"""
+    pull: Any
+    """the most of its pull, times kappa"""
 
 
-@compilable
 def norm_of(bodies: Bodies) -> Norm:
-    """Return the numbers of the norm, rounded upwards."""
-    slack, root_m1 = 1.0 + 1e-12, math.sqrt(bodies.m1)
-    root_m2 = math.sqrt(1.0 / bodies.inverse_2) if bodies.inverse_2 > 0.0 else 0.0
-    pull = math.hypot(math.sqrt(bodies.a2), bodies.a1 / root_m1)
-    kappa = math.sqrt(bodies.inverse_1 + bodies.inverse_2)
+    """Return the numbers of the norm where friction is constant, rounded upwards; of floats or arrays of them."""
+    slack, root_m1, is_finite = 1.0 + 1e-12, np.sqrt(bodies.m1), bodies.inverse_2 > 0.0
+    root_m2 = np.where(is_finite, np.sqrt(1.0 / np.where(is_finite, bodies.inverse_2, 1.0)), 0.0)
+    pull = np.hypot(np.sqrt(bodies.a2), bodies.a1 / root_m1)
+    kappa = np.sqrt(bodies.inverse_1 + bodies.inverse_2)
     bounds = kappa * slack, pull * bodies.inverse_1 * slack, bodies.share_2 * pull * slack
-    return Norm(math.sqrt(bodies.a2), root_m1, root_m2, bounds[0], bounds[1], bounds[2])
+    return Norm(np.sqrt(bodies.a2), root_m1, root_m2, *bounds, 0.0 * kappa, 0.0 * kappa)
 
 
 class Layout(NamedTuple):
@@ -144,7 +146,6 @@ def make_rows(n: int) -> Rows:
     return Rows(np.zeros((2, n, n)), np.zeros((2, 2, n)), np.zeros((4, n)), np.zeros((2, 6, 2, n)))
 
 
-@compilable
 def add_signal(row: Any, block: Any, factor: Any) -> None:
     """Add a multiple of a signal to a row."""
     if block[1] > 0:
@@ -153,9 +154,10 @@ def add_signal(row: Any, block: Any, factor: Any) -> None:
         row[block[2] + 2 * k] += factor
 
 
-@compilable_with(makes_arrays=True, forceinline=False)
 def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any, Any], rows: Rows) -> None:
     """Write the matrices of a pair, in the numbers of `bodies`; omegas (n,): that of a sine stands at its cosine.
+
+    Several pairs of one layout may stand along a last axis of all these.
 
     `cell`: slope (N s/m), pull (N/m) and level of friction, level b + slope (v1 - v2) + pull (x1 - x2) in a slip +.
     Rows are written place by place: as if of all z only that one were 1.
@@ -195,14 +197,12 @@ def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any, Any
             put_power(own[5], j, spring, wall_rate)
 
 
-@compilable
 def put_power(power: Any, j: int, one: Any, two: Any) -> None:
     """Write the factors of a power at a place."""
     power[0, j] += one
     power[1, j] += two
 
 
-@compilable
 def put_signals(blocks: Any, omegas: Any, A: Any, signals: Any) -> None:
     """Write how polynomials and sines go on, and the rows of each signal and of its derivative."""
     for signal in range(blocks.shape[0]):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from numerics.arithmetic.compiled import compilable
+from numerics.arithmetic.compiled import compilable, inlined
 from numerics.linear.evolve import grown, parting
 from numerics.linear.first_root import CLEAR, ROOT, first_root
 from numerics.linear.model import AHEAD, FLOOR
@@ -35,10 +35,10 @@ class Next(NamedTuple):
     own: float
 
 
-@compilable
+@inlined
 def step_from(run: Run, now: Now, is_calm: bool, clear_until: float) -> Step:
     """Return the step from here, to the end of the piece if that is nearer; no event comes up to `clear_until`."""
-    h, length, time = run.tables.steps[place_of(run, now)], run.drive.length[now.piece], run.clock[0, 0]
+    h, length, time = run.tables.steps[place_of(now)], run.drive.length[now.piece], run.clock[0, 0]
     left = (length[0] - time) + (length[1] - run.clock[0, 1])
     clear = 2.0 if is_calm else 0.0
     if clear_until > time + 1e-9 * h:
@@ -46,7 +46,7 @@ def step_from(run: Run, now: Now, is_calm: bool, clear_until: float) -> Step:
     return Step(left / h if left <= h else 1.0, left <= h, clear)
 
 
-@compilable
+@inlined
 def next_event(run: Run, now: Now, step: Step) -> Next:
     """Return how a mode goes on: to the end of a step, or to an event."""
     is_stick = now.mode == 0
@@ -63,8 +63,8 @@ def next_event(run: Run, now: Now, step: Step) -> Next:
 @compilable
 def first_of_guard(run: Run, now: Now, guard: int, order: int, end: float) -> Next:
     """Return the first root of a guard, of which so many coefficients vanish here, up to an end."""
-    tables, at, q = run.tables, place_of(run, now), run.q
-    value = 0.0 if now.mode == 0 else tables.ends[now.cell, guard]
+    tables, at, q = run.tables, place_of(now), run.series[0]
+    value = 0.0 if now.mode == 0 else tables.ends[now.kind, guard]
     if value == math.inf:
         return Next(CLEAR, end, guard, 0.0, 0.0, 0.0)
     which = guard if now.mode == 0 else guard // AHEAD
@@ -85,7 +85,7 @@ def first_of_guard(run: Run, now: Now, guard: int, order: int, end: float) -> Ne
     if order > 0 and now.late > 0.0:  # the true segment began up to `late` away: as much as its guard changes meanwhile
         shift = (1.0 + order) * now.late / h * abs_slope(q)
         margins = margins[0] + shift, margins[1], margins[2]
-    how, s, alone, value, slope = first_root(q, margins, end, run.bernstein)
+    how, s, alone, value, slope = first_root(q, margins, end, run.series[2])
     if how != ROOT:
         return Next(how, s, guard, 0.0, 0.0, 0.0)
     power = s**order
@@ -109,7 +109,7 @@ def slip_margins(
 
     Where both began at v1 = v2, or at the same end, two motions part in v1 - v2 by what they part in its rate.
     """
-    (off, rise), kappa, h = own, run.norm.kappa, run.tables.steps[place_of(run, now)]
+    (off, rise), kappa, h = own, run.norm.kappa, run.tables.steps[place_of(now)]
     N, apart = grown(run, now, now.N, end)
     bend = parting(run, now, N, apart)
     if guard == AHEAD:

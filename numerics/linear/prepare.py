@@ -45,9 +45,9 @@ from numerics.linear.model import (
     norm_of,
 )
 from numerics.linear.pieces import ExactPiece, pieces_of
-from numerics.linear.record import AT, END_ROW
-from numerics.linear.room import Drive, Problem
-from numerics.linear.table import OTHERS, REACH, Tables, form, make_tables, most_terms
+from numerics.linear.record import AT, END_ROW, factors_of
+from numerics.linear.room import Drive, Problems
+from numerics.linear.table import BEHIND, MEET, OTHERS, REACH, Tables, form, make_tables, most_terms, put_matrices
 from numerics.scene import Law, Pair, Scene
 from numerics.scene.decimals import short
 
@@ -77,13 +77,17 @@ class KernelUnits(NamedTuple):
 class Prepared(NamedTuple):
     """What the kernel takes, and the units in which it gives."""
 
-    problem: Problem
-    start: NDArray[np.float64]
+    problems: Problems
+    """The scene's alone."""
+    starts: NDArray[np.float64]
+    """(1, END_ROW)"""
     units: KernelUnits
     pieces: Sequence[ExactPiece]
     cells: Cells | None
     half_turns: float
     """How many of them the fastest rate makes."""
+    to_si: NDArray[np.float64]
+    """(1, 5, 2), of record.factors_of"""
 
     def room(self, most: int) -> int:
         """Return how many rows are given room for at first, with so many events at most."""
@@ -156,14 +160,17 @@ def prepare(scene: Scene) -> Prepared:
     drive, kinds, longest = _drive(cells, pieces, units)
     norm = _norm(scene.pair, units)
     tables = _tables(scene.pair, norm, kinds, units, longest)
-    tables = tables if cells is None else _cut(tables, cells, norm.kappa, units)
-    at, start, place, speed = scene.initial, np.zeros(END_ROW), units.length, units.of(length=1, time=-1)
+    if cells is not None:
+        tables, norm = _cut(tables, cells, norm, units)
+    at, starts, place, speed = scene.initial, np.zeros((1, END_ROW)), units.length, units.of(length=1, time=-1)
+    start = starts[0]
     start[_STATE] = rounded(at.x1, place), rounded(at.v1, speed), rounded(at.x2, place), rounded(at.v2, speed)
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: floats may be equal
     start[AT["jump"]] = gap == 0
     half_turns = float(drive.length[:, 0].sum()) * REACH / float(tables.steps[:, :2].min()) / math.pi
-    problem = Problem(norm, drive, tables, scene.law is Law.THREE_VALUED_SGN)
-    return Prepared(problem, start, units, pieces, cells, half_turns)
+    alone = Drive(*(one[None] for one in drive))
+    problems = Problems(np.array([norm]), alone, tables, scene.law is Law.THREE_VALUED_SGN)
+    return Prepared(problems, starts, units, pieces, cells, half_turns, factors_of([units]))
 
 
 def _drive(
@@ -196,29 +203,34 @@ def _kinds(cells: Cells | None, piece: ExactPiece) -> tuple[Kind, ...]:
     return tuple((piece.layout, cells.branch(piece, *one)) for one in cells.all)
 
 
-def _cut(tables: Tables, cells: Cells, kappa: float, units: KernelUnits) -> Tables:
-    """Return tables with the ends of cells."""
+def _cut(tables: Tables, cells: Cells, norm: Norm, units: KernelUnits) -> tuple[Tables, Norm]:
+    """Return tables with the ends of cells, and a norm with how steep friction is in them."""
     numbers, speed = {one: n for n, one in enumerate(cells.all[:-1])}, units.of(length=1, time=-1)
-    ends, behind = np.full((len(cells.all), 3), np.inf), np.full((len(cells.all), 3), -1)
+    ends, neighbours = np.full((len(cells.all), 3), np.inf), np.full((len(cells.all), 2, 3), -1)
     for n, (side, cell) in enumerate(cells.all):
         limit = cells.limit(cell)
         for kind, _, offset in cells.guards(side, cell)[0]:
             to = cells.behind(side, cell, kind)
             ends[n, kind] = rounded(offset, units.length if kind == AHEAD else speed)
-            behind[n, kind] = numbers[side, to] if to[0] >= 0 and cells.is_open(to) else -1
+            neighbours[n, BEHIND, kind] = numbers[side, to] if to[0] >= 0 and cells.is_open(to) else -1
         if limit is not None:
-            ends[n, CEILING], behind[n, CEILING] = rounded(limit, speed), -1
-    meets = np.array([[numbers[side, (0, j)] for side in (-1, 1, 1)] for _, (_, j) in cells.all])
-    meets[-1, 0], meets[-1, 1] = numbers[-1, (0, cells.begun[0])], len(numbers)
-    slope, pull = (np.abs(tables.lines[:, 0, OTHERS + KINETIC, place]).max() for place in (V1, X1))
-    return tables._replace(ends=ends, behind=behind, meets=meets, steep=np.array([kappa * kappa * slope, kappa * pull]))
+            ends[n, CEILING], neighbours[n, BEHIND, CEILING] = rounded(limit, speed), -1
+        neighbours[n, MEET] = [numbers[side, (0, cell[1])] for side in (-1, 1, 1)]
+    neighbours[-1, MEET, :2] = numbers[-1, (0, cells.begun[0])], len(numbers)
+    pieces = len(tables.ends) // len(ends)  # that differ, each with a kind for every cell
+    firsts = len(ends) * np.arange(pieces)[:, None, None, None]
+    of_kinds = np.where(neighbours < 0, -1, neighbours + firsts).reshape(-1, 2, 3)
+    slope, pull = (float(np.abs(tables.lines[:, 0, OTHERS + KINETIC, place]).max()) for place in (V1, X1))
+    steepest = norm._replace(steep=norm.kappa * norm.kappa * slope, pull=norm.kappa * pull)
+    return tables._replace(ends=np.tile(ends, (pieces, 1)), neighbours=of_kinds), steepest
 
 
 def _norm(pair: Pair, units: KernelUnits) -> Norm:
     """Return the numbers of the norm in these units."""
     mass, rate = units.mass, units.of(mass=1, time=-1)
     exponents = mass, rate, units.of(mass=1, time=-2), -mass, -mass, -mass, 0, 0, 0
-    return norm_of(Bodies(*(rounded(one, exponent) for one, exponent in zip(Bodies.of(pair), exponents, strict=True))))
+    bodies = Bodies(*(rounded(one, exponent) for one, exponent in zip(Bodies.of(pair), exponents, strict=True)))
+    return Norm(*map(float, norm_of(bodies)))
 
 
 @lru_cache(maxsize=64)
@@ -229,7 +241,8 @@ def _tables(pair: Pair, norm: Norm, kinds: tuple[Kind, ...], units: KernelUnits,
     for index, (layout, cell) in enumerate(kinds):
         rows = _in_units(exact_rows(pair, layout, cell), layout, units)
         rows.guards[SLIP, 1, X1], rows.guards[SLIP, 1, X2] = (1.0, -1.0) if cell is not CONSTANT else (0.0, 0.0)
-        compiled(form)(tables, index, norm, layout.blocks, rows, 1.0, longest)
+        put_matrices(tables, index, layout, rows)
+    compiled(form)(tables, np.array([norm] * len(kinds)), np.full(len(kinds), longest), 1.0)
     return tables
 
 

@@ -26,20 +26,20 @@ BOUNDS = ("late", "x1_error", "v1_error", "x2_error", "v2_error", "speed_error")
 """Floats: bounds on the errors of the time (s) and of the state (m, m/s); N of these over the root of m1 (m/s)."""
 COLUMNS = (*CODES, *NUMBERS, *BOUNDS)
 """The columns of a row."""
-END = ("how", "events", "friction", "viscous", "force", "force_2", "belt", "wall", "ledger_error")
-"""What the row of the end has after these: a `How`, the number of events; and, nan until somebody asks (ledger.py),
-what friction and damper took, what forces on body 1 and 2, belt and wall gave (J), and a bound on the error of all
-these."""
+END = ("how", "events", "rows", "friction", "viscous", "force", "force_2", "belt", "wall", "ledger_error")
+"""What the row of the end has after these: a `How`, the number of events, that of rows; and, nan until somebody asks
+(ledger.py), what friction and damper took, what forces on body 1 and 2, belt and wall gave (J), and a bound on the
+error of all these."""
 AT = {name: index for index, name in enumerate((*COLUMNS, *END))}
 """The index of each column."""
 ROW, END_ROW = len(COLUMNS), len(COLUMNS) + len(END)
 UNKNOWN = -1
-"""How a row of a batch ended that compiled code leaves to a run of its own."""
+"""How a run ended that does not fit in floats; in a batch also one that compiled code leaves to a run of its own."""
 
 
-_FRICTION, _X1, _V2 = AT["friction"], AT["x1"], AT["v2"]
-_LARGEST = 1020
-"""Energies up to 2 to this power (J) are numbers of binary64."""
+_HOW, _ROWS, _FRICTION, _X1, _V2 = (AT[name] for name in ("how", "rows", "friction", "x1", "v2"))
+_LARGEST = 2.0**1020
+"""Energies up to this (J) are numbers of binary64."""
 _OF_DIMENSION = (
     (),
     ("local", "local_rest", "length", "late"),
@@ -52,25 +52,36 @@ DIMENSION = np.array([_DIMENSION.get(name.removesuffix("_error"), 0) for name in
 """Of each column: 0 none, 1 time, 2 length, 3 speed, 4 energy; of bounds, that of their number."""
 
 
-@compilable_with(makes_arrays=True, forceinline=False)
-def finish(rows: Any, end: Any, mass: int, time: int, length: int) -> bool:
-    """Bring a run, its rows and the row of its end, from units of 2^mass kg, 2^time s and 2^length m into SI units.
+def factors_of(units: Any) -> Any:
+    """Return what brings numbers of each DIMENSION into SI units, (n, 5, 2), from the exponents of units (n, 3).
 
-    Exact; return whether all its numbers, and energies on the way, are finite; a ledger may be nan.
+    A unit of mass is 2^mass kg, and so on. Two factors each: a power may be too large for a float, its root is not.
     """
-    is_finite, most, exponents = True, 1.0, np.array([0, time, length, length - time, mass + 2 * length - 2 * time])
-    # a power may be too large for a float, its root is not
-    root, rest = np.ldexp(1.0, exponents // 2), np.ldexp(1.0, (exponents + 1) // 2)
-    for table in (rows, end.reshape(1, -1)):
-        for k in range(table.shape[1]):
-            one, two, may_miss = root[DIMENSION[k]], rest[DIMENSION[k]], k >= _FRICTION
-            for n in range(table.shape[0]):
+    mass, time, length = np.transpose(units).astype(np.intc)
+    exponents = np.stack([0 * time, time, length, length - time, mass + 2 * length - 2 * time], axis=-1)
+    with np.errstate(all="ignore"):  # energies may be out of range, which `finish` finds
+        return np.ldexp(1.0, np.stack([exponents // 2, (exponents + 1) // 2], axis=-1))
+
+
+@compilable_with(forceinline=False)
+def finish(rows: Any, ends: Any, factors: Any) -> None:
+    """Bring runs, their rows (n, k, ROW) and the rows of their ends (n, END_ROW), into other units; exact.
+
+    UNKNOWN is how a run ends of which a number, or an energy on the way, is not finite then; a ledger may be nan.
+    """
+    for run in range(len(ends)):
+        most, is_finite, count = 1.0, True, min(int(ends[run, _ROWS]), rows.shape[1])
+        for n in range(count + 1):
+            row = rows[run, n] if n < count else ends[run]
+            for k in range(len(row)):
                 if _X1 <= k <= _V2:
-                    most = max(most, abs(table[n, k]))
-                number = table[n, k] * one * two
-                is_finite = is_finite and (math.isfinite(number) or (may_miss and math.isnan(number)))
-                table[n, k] = number
-    return is_finite and 2.0 * math.log2(most) + exponents[-1] <= _LARGEST
+                    most = max(most, abs(row[k]))
+                one, two = factors[run, DIMENSION[k]]
+                row[k] = row[k] * one * two
+                is_finite = is_finite and (math.isfinite(row[k]) or (k >= _FRICTION and math.isnan(row[k])))
+        energy = most * factors[run, -1, 0] * (most * factors[run, -1, 1])
+        if not (is_finite and energy <= _LARGEST):
+            ends[run, _HOW] = UNKNOWN
 
 
 class How(IntEnum):

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.compiled import compilable, compilable_with, inlined
 from numerics.linear.evolve import parting
 from numerics.linear.model import AHEAD, CEILING, EDGE, FLOOR, KINETIC, SLIP, STICK, V1, V2, X1, X2
 from numerics.linear.next_event import Next
-from numerics.linear.room import Now, Run, dot, load_off, meeting, place_of, size_of
-from numerics.linear.table import GUARDS, OF_V1, OTHERS, RATES, SIGNED, UNIT
+from numerics.linear.room import Now, Run, dot, has_cells, load_off, meeting, place_of, size_of
+from numerics.linear.table import BEHIND, GUARDS, OF_V1, OTHERS, RATES, SIGNED, UNIT
 
 NOTHING, PIECE, CONTACT, SLIP_END, EXIT, NEXT_CELL = 0, 1, 2, 3, 4, 5
 """At the end of a step: the mode goes on; it does so in a new piece, or in a run whose mode is known; bodies that are
@@ -29,11 +29,11 @@ class StepEnd(NamedTuple):
     late: float
 
 
-@compilable
+@inlined
 def lateness(run: Run, now: Now, ahead: Next) -> tuple[float, float]:
     """Return by how much the true event may be late, and by how much rounding alone may have misplaced it."""
     if now.mode == 0:
-        off = load_off(run, place_of(run, now)[0], now)
+        off = load_off(run, now.kind, now)
     elif ahead.guard == AHEAD:
         off = now.apart
     else:
@@ -51,14 +51,15 @@ def arrived(run: Run, now: Now, ahead: Next) -> tuple[Now, StepEnd]:
     """
     norm, tables, y, z, piece, far, far_2 = run.norm, run.tables, run.y, run.z, now.piece, now.far, now.far_2
     late, window = lateness(run, now, ahead)
-    lines, (steep, pull) = tables.lines[place_of(run, now)], tables.steep
+    lines, steep, pull = tables.lines[place_of(now)], norm.steep, norm.pull
     factor, N = 1.0 + 4.0 * steep * late, now.N + 4.0 * pull * now.apart * late
     apart = now.apart + 2.0 * norm.kappa * now.N * late
-    if now.mode != 0 and (ahead.guard != FLOOR or tables.ends[now.cell, FLOOR] != 0.0):
-        behind, order = tables.behind[now.cell, ahead.guard], 0 if ahead.guard == AHEAD else 1
+    if now.mode != 0 and (ahead.guard != FLOOR or tables.ends[now.kind, FLOOR] != 0.0):
+        behind, order = int(tables.neighbours[now.kind, BEHIND, ahead.guard]), 0 if ahead.guard == AHEAD else 1
         mode, edge = now.mode if behind >= 0 else UNDECIDED, CEILING if ahead.guard == FLOOR else FLOOR
-        cell, N = max(int(behind), 0), factor * (N + 8.0 * (steep / norm.kappa + pull) * ahead.own * window)
-        return Now(piece, mode, cell, order, edge, late, N, far, far_2, apart, norm.kappa * N), StepEnd(NEXT_CELL, 0.0)
+        kind = behind if behind >= 0 else now.kind
+        N = factor * (N + 8.0 * (steep / norm.kappa + pull) * ahead.own * window)
+        return Now(piece, mode, kind, order, edge, late, N, far, far_2, apart, norm.kappa * N), StepEnd(NEXT_CELL, 0.0)
     z[X1], z[V1], z[X2], z[V2] = y[0], 0.0, y[2], 0.0  # at v1 = v2
     b = abs(dot(lines[OTHERS + KINETIC], z))
     above = abs(dot(lines[OTHERS + EDGE], z)) - b
@@ -66,31 +67,31 @@ def arrived(run: Run, now: Now, ahead: Next) -> tuple[Now, StepEnd]:
     if now.mode == 0:
         parted = 4.0 * norm.kappa * window * (ahead.own + ahead.slope * window)
         N = factor * (N + parted)
-        mode, order, cell = 1 - 2 * ahead.guard, 1, tables.meets[now.cell, 2 - 2 * ahead.guard]
+        mode, order, kind = 1 - 2 * ahead.guard, 1, meeting(tables, now.kind, 1 - 2 * ahead.guard)
         speed_apart = norm.kappa * N
         if above <= 0.0:  # whichever leaves first does so with w' = 0
             order, speed_apart = 2, min(speed_apart, norm.kappa * parted + parting(run, now, N, apart) * late)
-        return Now(piece, mode, cell, order, FLOOR, late, N, far, far_2, apart, speed_apart), StepEnd(EXIT, late)
+        return Now(piece, mode, kind, order, FLOOR, late, N, far, far_2, apart, speed_apart), StepEnd(EXIT, late)
     gap = abs(y[1] - y[3])
     y[1] = y[3]
     N = factor * (N + 2.0 * norm.kappa * b * window) + norm.root_m1 * gap
-    after = Now(piece, now.mode, now.cell, 0, FLOOR, late, N, far, far_2, apart, norm.kappa * N)
+    after = Now(piece, now.mode, now.kind, 0, FLOOR, late, N, far, far_2, apart, norm.kappa * N)
     return after, StepEnd(SLIP_END, late)
 
 
-@compilable
+@inlined
 def resolve(run: Run, now: Now, event: StepEnd) -> Now:
     """Return where a run is after an event, in which mode; UNDECIDED if the error bounds leave a doubt.
 
     z is that of the event, with b unsigned.
     """
     mode, order, y = now.mode, now.order, run.y
-    lines = run.tables.lines[meeting(run, now.piece, now.cell, 0), STICK]
+    lines = run.tables.lines[meeting(run.tables, now.kind, 0), STICK]
     one, two = dot(lines[GUARDS], run.z), dot(lines[GUARDS + 1], run.z)
     gap = y[1] - y[3]
     if event.kind == CONTACT and gap != 0.0:  # the belt's velocity has jumped
         off = run.norm.kappa * now.N + 32.0 * UNIT * run.size[V2]
-        mode = UNDECIDED if abs(gap) <= off or len(run.tables.ends) > 1 else 1 if gap > 0.0 else -1
+        mode = UNDECIDED if abs(gap) <= off or has_cells(run.tables, now.kind) else 1 if gap > 0.0 else -1
     elif event.kind in (CONTACT, SLIP_END):
         mode = mode_after(run, now, (one, two), event.late)
         if event.kind == SLIP_END and mode == now.mode:
@@ -98,9 +99,9 @@ def resolve(run: Run, now: Now, event: StepEnd) -> Now:
         order = 1 if mode != 0 else 0
     late = event.late if mode != now.mode or event.kind == EXIT else now.late
     edge = now.edge if mode == now.mode and mode != 0 else 0 if mode != 0 or one <= two else 1
-    cell = now.cell if mode in (now.mode, UNDECIDED) else run.tables.meets[now.cell, 1 + mode]
+    kind = now.kind if mode in (now.mode, UNDECIDED) else meeting(run.tables, now.kind, mode)
     parted = now.speed_apart if mode == now.mode else run.norm.kappa * now.N
-    return Now(now.piece, mode, cell, order, edge, late, now.N, now.far, now.far_2, now.apart, parted)
+    return Now(now.piece, mode, kind, order, edge, late, now.N, now.far, now.far_2, now.apart, parted)
 
 
 @compilable
@@ -108,7 +109,7 @@ def mode_after(run: Run, now: Now, values: tuple[float, float], late: float) -> 
     """Return the mode that follows where v1 = v2 within `late` of now, from the values of the guards of stick."""
     if run.literal:
         return 0
-    tables, kind = run.tables, meeting(run, now.piece, now.cell, 0)
+    tables, kind = run.tables, meeting(run.tables, now.kind, 0)
     at_edge, fast = 0, max(fastest(run, now, 0, late), fastest(run, now, 1, late))
     for g in range(2):
         off = load_off(run, kind, now) + 32.0 * UNIT * size_of(tables.lines[kind, STICK, GUARDS + g], run.size)
@@ -144,8 +145,8 @@ def most_of(row: Any, signed: Any, A: Any, z: Any, late: float) -> float:
 def fastest(run: Run, now: Now, rate: int, late: float) -> float:
     """Return the greatest of one of the RATES in any mode within `late` of where a run is."""
     tables, most = run.tables, 0.0
-    for mode in range(-1 if len(tables.ends) > 1 else 0, 2):  # one cell serves both slips
-        at = meeting(run, now.piece, now.cell, mode), SLIP if mode != 0 else STICK
+    for mode in range(-1 if has_cells(tables, now.kind) else 0, 2):  # one cell serves both slips
+        at = meeting(tables, now.kind, mode), SLIP if mode != 0 else STICK
         if mode != 0 or run.literal or rate < OF_V1:  # else stick's is between those of the slips
             lines = tables.lines[at]
             moved = late if late > 1e-8 * tables.steps[at] else 0.0  # else less than rounding

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, times
-from numerics.linear.model import DRIVEN, EDGE, FIRST, STICK, V1, V2, X2, Norm
-from numerics.linear.table import OTHERS, SIGNED, STATE, Tables
+from numerics.linear.model import DRIVEN, EDGE, FIRST, SLIP, STICK, V1, V2, X2, Norm
+from numerics.linear.table import MEET, OTHERS, SIGNED, STATE, Tables
 
 FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
 
@@ -30,17 +30,20 @@ class Drive(NamedTuple):
     sines: Any
 
 
-class Problem(NamedTuple):
-    """What a run follows. `literal`: sgn(0) = 0, so that a stick never ends."""
+class Problems(NamedTuple):
+    """What runs follow, one beside another: the numbers of their norms (n, 8), and arrays of their drives, (n, ...).
 
-    norm: Norm
-    drive: Drive
+    `literal`: sgn(0) = 0, so that a stick never ends.
+    """
+
+    norms: Any
+    drives: Drive
     tables: Tables
     literal: bool
 
 
 class Run(NamedTuple):
-    """A problem, and arrays to work in, made once for a run."""
+    """One of several problems, and arrays to work in, made once for a run."""
 
     norm: Norm
     drive: Drive
@@ -54,11 +57,9 @@ class Run(NamedTuple):
     """(n,)"""
     size: Any
     """(n,) what the roundings of z are counted in."""
-    q: Any
-    """(terms,) Taylor coefficients of a guard, without those that are exactly 0; of a row of the state."""
-    bernstein: Any
-    curves: Any
-    """(2, terms) Taylor coefficients of x1 and x2."""
+    series: Any
+    """(3, terms): Taylor coefficients of a guard without those that are exactly 0, or of a number of the state; the
+    last in Bernstein's basis."""
     counts: Any
     """(3,) how many rows there were, also those left out, how many events, and which row was that of the last one."""
 
@@ -68,8 +69,8 @@ class Now(NamedTuple):
 
     piece: int
     mode: int
-    cell: int
-    """Of friction."""
+    kind: int
+    """That of the piece and of the cell of friction (Tables)."""
     order: int
     """How many coefficients of the guard `edge` vanish here."""
     edge: int
@@ -91,35 +92,36 @@ class Now(NamedTuple):
 def space_for(tables: Tables) -> NDArray[np.float64]:
     """Return room for the arrays of a run."""
     n, terms = tables.rows.shape[3:]
-    return np.zeros((11, max(terms, n + n % 2)))
+    return np.zeros((9, max(terms, n + n % 2)))
 
 
 @compilable
-def run_of(problem: Problem, space: Any) -> Run:
-    """Return a run of a problem in some space; tuples of arrays are made where no references are counted."""
-    norm, drive, tables, literal = problem
-    n, q, curves = tables.rows.shape[3], space[7], space[9:11]
-    y, clock, z, size, bernstein, counts = (
-        space[0, :STATE],
-        space[1:3, :2],
-        space[3, :n],
-        space[4, :n],
-        space[5, :8],
-        space[6, :3],
-    )
-    return Run(norm, drive, tables, literal, y, clock, z, size, q, bernstein, curves, counts)
+def run_of(problems: Problems, one: int, space: Any) -> Run:
+    """Return a run of one of several problems in some space, where no references are counted."""
+    (norms, drives, tables, literal), n = problems, problems.tables.rows.shape[3]
+    own = norms[one]
+    norm = Norm(own[0], own[1], own[2], own[3], own[4], own[5], own[6], own[7])
+    drive = Drive(drives.places[one], drives.length[one], drives.coefficients[one], drives.sines[one])
+    y, clock, z, size, counts = space[0, :STATE], space[1:3, :2], space[3, :n], space[4, :n], space[5, :3]
+    return Run(norm, drive, tables, literal, y, clock, z, size, space[6:9], counts)
 
 
 @compilable
-def place_of(run: Run, now: Now) -> tuple[int, int]:
-    """Return where the tables of the mode are: the kind of piece, and 0 for slip, 1 for stick."""
-    return run.drive.places[now.piece, 0] + now.cell, 1 if now.mode == 0 else 0
+def place_of(now: Now) -> tuple[int, int]:
+    """Return where the tables of the mode are: its kind, and SLIP or STICK."""
+    return now.kind, STICK if now.mode == 0 else SLIP
 
 
 @compilable
-def meeting(run: Run, piece: int, cell: int, mode: int) -> int:
-    """Return the kind of the mode that meets a cell at v1 = v2."""
-    return int(run.drive.places[piece, 0] + run.tables.meets[cell, 1 + mode])
+def meeting(tables: Tables, kind: int, mode: int) -> int:
+    """Return the kind of the mode that meets another one at v1 = v2."""
+    return int(tables.neighbours[kind, MEET, 1 + mode])
+
+
+@compilable
+def has_cells(tables: Tables, kind: int) -> bool:
+    """Return whether friction depends on the state: else one cell serves both slips."""
+    return bool(tables.neighbours[kind, MEET, 0] != tables.neighbours[kind, MEET, 2])
 
 
 @compilable

@@ -16,7 +16,7 @@ import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, put, quotient, two_product
-from numerics.linear.model import FIRST, FRICTION, STICK, V1, V2, X1, X2, Norm, Rows
+from numerics.linear.model import FIRST, FRICTION, STICK, V1, V2, X1, X2, Layout, Rows
 
 UNIT = 2.0**-53
 """A rounding of float64."""
@@ -32,12 +32,15 @@ LINES = 68
 SIGNED, GUARDS, OTHERS, RATES, FLOW, OWN, SUMS, POWERS = 0, 1, 3, 7, 11, 15, 24, 56
 OF_V1, OF_V2 = 2, 3
 """Where rows of each kind begin in Tables.lines."""
+BEHIND, MEET = 0, 1
+"""In Tables.neighbours."""
 
 
 class Tables(NamedTuple):
     """Tables for every kind of piece of a scene (first index) in slip + and in stick (second index: 0, 1).
 
-    A kind is a layout of the signals; n columns at most, what a kind has no column for is 0; k < terms.
+    A kind is a layout of the signals and a cell of friction; the kinds of the cells of a piece follow each other. n
+    columns at most, what a kind has no column for is 0; k < terms.
     """
 
     steps: Any
@@ -49,24 +52,20 @@ class Tables(NamedTuple):
     """(kinds, 2, n, n)"""
     lines: Any
     """(kinds, 2, LINES, n) rows of z: SIGNED 1 in the block of b, which changes its sign with that of a slip, else 0;
-    GUARDS (2) those of stick; OTHERS (4) LOAD, EDGE, KINETIC, DRIVEN; RATES (4) derivatives of these guards, v1 and v2;
-    FLOW (4) the state at the end of a step; OWN (3, 3) what rounding and truncation do to the state in N, of x1 and of
-    x2, by a whole step and by a part of it, the latter at the start and at the end; SUMS (2, ORDERS, 2) what they do to
-    a guard without its first p coefficients, in roundings: at the start of a step, and at its end; POWERS (6, 2) what
-    is taken and given, as products of two rows (model.Rows)."""
+    GUARDS (2) those of the mode; OTHERS (4) LOAD, EDGE, KINETIC, DRIVEN; RATES (4) derivatives of stick's guards, v1
+    and v2; FLOW (4) the state at the end of a step; OWN (3, 3) what rounding and truncation do to the state in N, of x1
+    and of x2, by a whole step and by a part of it, the latter at the start and at the end; SUMS (2, ORDERS, 2) what
+    they do to a guard without its first p coefficients, in roundings: at the start of a step, and at its end; POWERS
+    (6, 2) what is taken and given, as products of two rows (model.Rows)."""
     rows: Any
     """(kinds, 2, 6, n, terms): the coefficients of x1, v1, x2, v2 and the guards in (t/h)^k by components of z."""
     degrees: Any
     """(kinds, 2, 6, n): how many terms of each there are, rounded up to an even number; later ones are 0."""
     ends: Any
-    """(cells, 3): what the guards of a slip in a cell are where v1 - v2 and x1 - x2 are 0; inf if there is no such end.
-    The kinds of the cells of a piece follow each other."""
-    behind: Any
-    """(cells, 3): the cell behind each end; -1 if that is not followed: friction may vanish there."""
-    meets: Any
-    """(cells, 3): the cells of slip -, stick and slip + at v1 = v2, for the place that a cell has."""
-    steep: Any
-    """(2,) the most of a slope times kappa^2, and of a pull times kappa, in any cell."""
+    """(kinds, 3): what the guards of a slip are where v1 - v2 and x1 - x2 are 0; inf if its cell has no such end."""
+    neighbours: Any
+    """(kinds, 2, 3): BEHIND each end, -1 if that is not followed, as friction may vanish there; and which MEET at
+    v1 = v2, slip -, stick and slip +."""
 
 
 def most_terms(coefficients: int) -> int:
@@ -75,68 +74,61 @@ def most_terms(coefficients: int) -> int:
 
 
 def make_tables(kinds: int, n: int, terms: int) -> Tables:
-    """Return empty tables of one cell; n columns at most."""
+    """Return empty tables, of one cell each; n columns at most."""
     steps, blocks = np.ones((kinds, 3)), np.zeros((kinds, 5, 4), dtype=np.int64)
     A, lines, rows = np.zeros((kinds, 2, n, n)), np.zeros((kinds, 2, LINES, n)), np.zeros((kinds, 2, 6, n, terms))
-    degrees, ends = np.zeros((kinds, 2, 6, n), dtype=np.int64), np.array([[0.0, np.inf, np.inf]])
-    return Tables(
-        steps, blocks, A, lines, rows, degrees, ends, np.full((1, 3), -1), np.zeros((1, 3), dtype=np.int64), np.zeros(2)
-    )
+    degrees, ends = np.zeros((kinds, 2, 6, n), dtype=np.int64), np.tile([0.0, np.inf, np.inf], (kinds, 1))
+    neighbours = np.full((kinds, 2, 3), -1)
+    neighbours[:, MEET] = np.arange(kinds)[:, None]
+    return Tables(steps, blocks, A, lines, rows, degrees, ends, neighbours)
+
+
+def put_matrices(tables: Tables, kind: int | slice, layout: Layout, rows: Rows) -> None:
+    """Write the matrices of a kind, or with a leading axis of several kinds of one layout."""
+    n, (first, terms, sines, waves) = layout.size, layout.blocks[FRICTION]
+    lines = tables.lines[kind, ..., :n]
+    lines[..., SIGNED, first : first + terms] = lines[..., SIGNED, sines : sines + 2 * waves] = 1.0
+    lines[..., GUARDS:OTHERS, :] = rows.guards
+    lines[..., OTHERS:RATES, :] = rows.others[..., None, :, :]
+    lines[..., POWERS:, :] = rows.powers.reshape(*lines.shape[:-2], LINES - POWERS, n)
+    tables.blocks[kind], tables.A[kind, :, :n, :n] = layout.blocks, rows.A
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def form(tables: Tables, kind: int, norm: Norm, blocks: Any, rows: Rows, exactness: float, longest: float) -> None:
-    """Form the tables of one kind from its matrices, each entry of which is off by so many roundings.
+def form(tables: Tables, norms: Any, longest: Any, exactness: float) -> None:
+    """Form the tables of all kinds from their matrices, each entry of which is off by so many roundings.
 
-    A step is REACH over the fastest rate, or `longest`.
+    With the norms (kinds, 8); a step is REACH over the fastest rate, or `longest` (kinds,).
     """
-    A, guards, others, powers = rows
-    n = A.shape[1]
-    copy(blocks, tables.blocks[kind])
-    first, terms, sines, waves = blocks[FRICTION]
-    for mode in range(2):
-        lines = tables.lines[kind, mode]
-        lines[SIGNED, :] = 0.0
-        lines[SIGNED, first : first + terms] = 1.0
-        lines[SIGNED, sines : sines + 2 * waves] = 1.0
-        copy(A[mode], tables.A[kind, mode])
-        copy(guards[STICK], lines[GUARDS:OTHERS])
-        copy(others, lines[OTHERS:RATES])
-        for k in range(6):
-            copy(powers[mode, k], lines[POWERS + 2 * k :])
-        form_mode(tables, (kind, mode), n, norm, guards[mode], exactness, longest)
+    for kind in range(len(norms)):
+        n, scale = FIRST, (norms[kind, 0], norms[kind, 1], 0.0, norms[kind, 2])
+        for block in tables.blocks[kind]:
+            n += block[1] + 2 * block[3]
+        for mode in range(2):
+            form_mode(tables, kind, mode, n, scale, exactness, longest[kind])
+        tables.steps[kind, 2] = shrinking(tables.lines[kind, STICK, FLOW:OWN], scale)
 
 
-@compilable
-def copy(given: Any, to: Any) -> None:
-    """Write a matrix into the corner of another one; an assignment of slices takes long to compile."""
-    for i in range(given.shape[0]):
-        for j in range(given.shape[1]):
-            to[i, j] = given[i, j]
-
-
-@compilable_with(makes_arrays=True, forceinline=False)
+@compilable_with(makes_arrays=True, inline="always")
 def form_mode(
-    tables: Tables, at: tuple[int, int], n: int, norm: Norm, guards: Any, exactness: float, longest: float
+    tables: Tables, kind: int, mode: int, n: int, scale: tuple[float, ...], exactness: float, longest: float
 ) -> None:
-    """Form the tables of one mode of n columns."""
-    (kind, mode), A, lines = at, tables.A[at][:n, :n], tables.lines[at]
-    scale = norm.root_a2, norm.root_m1, 0.0, norm.root_m2
+    """Form the tables of one mode of n columns; x1, v1, x2 and v2 count in N by `scale`."""
+    A, lines, of_stick = tables.A[kind, mode, :n, :n], tables.lines[kind, mode], tables.lines[kind, STICK]
     places = places_of(A)
     h = step_of(A, places, longest)
-    tables.steps[at] = h
-    own, sums = lines[OWN:SUMS], lines[SUMS:POWERS]
-    own[:, :] = 0.0
-    row, cut, counts, total = np.zeros(n), np.zeros(n), np.zeros((2 * ORDERS, n)), np.zeros((n, 2))
+    tables.steps[kind, mode] = h
+    own, row, cut, total = lines[OWN:SUMS], np.zeros(n), np.zeros(n), np.zeros((n, 2))
+    of_state = np.zeros((2 * ORDERS, n))
     for index in range(STATE + 2):
         for j in range(n):
-            row[j] = guards[index - STATE, j] if index >= STATE else 1.0 if j == index else 0.0
-        table = tables.rows[at][index]
-        expand(A, places, h, row, table, total, cut)
-        count_roundings(table, n, exactness, cut, counts, tables.degrees[at][index])
+            row[j] = lines[GUARDS + index - STATE, j] if index >= STATE else 1.0 if j == index else 0.0
+        table, counts = tables.rows[kind, mode, index], of_state
         if index >= STATE:
-            first = 2 * ORDERS * (index - STATE)
-            copy(counts, sums[first:])
+            counts = lines[SUMS + 2 * ORDERS * (index - STATE) : POWERS]
+        expand(A, places, h, row, table, total, cut)
+        count_roundings(table, n, exactness, cut, counts, tables.degrees[kind, mode, index])
+        if index >= STATE:
             continue
         for j in range(n):
             lines[FLOW + index, j] = total[j, 0]
@@ -155,21 +147,19 @@ def form_mode(
         for g in range(2):
             rate = 0.0
             for i in range(n):
-                rate += lines[GUARDS + g, i] * A[i, j]
+                rate += of_stick[GUARDS + g, i] * A[i, j]
             lines[RATES + g, j] = rate
         lines[RATES + OF_V1, j], lines[RATES + OF_V2, j] = A[V1, j], A[V2, j]
-    if mode == STICK:
-        tables.steps[kind, 2] = shrinking(lines[FLOW:OWN], norm)
 
 
 @compilable
-def shrinking(flow: Any, norm: Norm) -> float:
+def shrinking(flow: Any, scale: tuple[float, ...]) -> float:
     """Return the norm of the flow of (x1, v1) in stick, in which N^2 is a2 x1^2 + M v1^2; at most 1."""
-    root_mass = math.hypot(norm.root_m1, norm.root_m2)
+    root_a2, root_mass = scale[0], math.hypot(scale[1], scale[3])
     one, four = flow[X1, X1], flow[V1, V1]
-    if norm.root_m2 == 0.0 or norm.root_a2 == 0.0:
+    if scale[3] == 0.0 or root_a2 == 0.0:
         return 1.0
-    two, three = flow[X1, V1] * norm.root_a2 / root_mass, flow[V1, X1] * root_mass / norm.root_a2
+    two, three = flow[X1, V1] * root_a2 / root_mass, flow[V1, X1] * root_mass / root_a2
     square, determinant = one * one + two * two + three * three + four * four, one * four - two * three
     inner = max(square * square - 4.0 * determinant * determinant, 0.0)
     return min(1.0, math.sqrt((square + math.sqrt(inner)) / 2.0) * (1.0 + 1e-12) + 1e-15)

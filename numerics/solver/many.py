@@ -16,7 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
+from numerics.linear.batch import Columns
 from numerics.meter import meter
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole, shown
@@ -114,9 +116,9 @@ def solve_many(
     is_usual = not exact and flat[:, 2:4].all() and np.isfinite(flat[:, 1]).all()
     if not (is_usual and force is None and friction is None):
         return _one_by_one([*map(scene_of, range(len(flat)))], limits, progress, shape)
-    numbers, literal = np.ascontiguousarray(flat[:, : len(SI)]), law is Law.THREE_VALUED_SGN
-    work = Work(scene_of, limits, shape, numbers, columns=flat, terms=terms, literal=literal)
-    return work.batch(arrays.copy, progress)
+    columns = Columns(flat, terms, law is Law.THREE_VALUED_SGN) if can_compile() and len(flat) else None
+    numbers = np.ascontiguousarray(flat[:, : len(SI)])
+    return Work(scene_of, limits, shape, numbers, columns=columns, goes_on=False).batch(arrays.copy, progress)
 
 
 def solve_scenes(

@@ -13,7 +13,7 @@ from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.precision import is_held
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.linear.batch import follow_many
+from numerics.linear.batch import Columns
 from numerics.linear.errors_of import errors_of_rows
 from numerics.linear.ledger import TINY
 from numerics.linear.pieces import starts_of
@@ -54,8 +54,8 @@ class Limits(NamedTuple):
 class Work(NamedTuple):
     """The scenes of a batch, each by its place, with their SI numbers (n, 10), and the shape of all answers.
 
-    Where they are columns of binary numbers, these (linear/batch.py). `walls` says where a wall moves. Rows (record.py)
-    are of ends, and of start and first events; in these the time counts from the start of the run.
+    Where compiled code solves them, their columns. `walls` says where a wall moves. Rows (record.py) are of ends, and
+    of start and first events; in these the time counts from the start of the run.
     """
 
     scene_of: Callable[[int], Scene]
@@ -63,19 +63,14 @@ class Work(NamedTuple):
     shape: tuple[int, ...]
     numbers: Floats
     walls: Any = np.False_
-    columns: Floats | None = None
-    terms: int = 0
-    literal: bool = False
+    columns: Columns | None = None
+    goes_on: bool = True
+    """Whether a scene that float64 leaves open goes on in balls."""
 
     def batch(self, inputs: Callable[[], dict[str, Any]], progress: Progress | None) -> Batch:
         """Solve all scenes; return what forms their answers when they are looked at."""
         kept, ends = self.solved(progress)
         return Batch(self.shape, _DRAWN, inputs, partial(self.answers, kept, ends), partial(self.taken, ends))
-
-    def follow(self, rows: Any, has_ledger: bool, kept: Floats, ends: Floats) -> None:
-        """Solve rows of columns by compiled code, if there is some."""
-        if self.columns is not None and can_compile():
-            follow_many(self.columns[rows], self.terms, self.literal, self.limits.max_events, has_ledger, kept, ends)
 
     def solved(self, progress: Progress | None) -> tuple[Floats, Floats]:
         """Return the rows of first events and those of ends; what compiled code leaves is solved one by one."""
@@ -87,13 +82,14 @@ class Work(NamedTuple):
         def solve(part: slice) -> int:
             hows = ends[part, AT["how"]]
             hows[:] = UNKNOWN
-            self.follow(part, False, kept[part], ends[part])
+            if self.columns is not None:
+                self.columns.follow(part, self.limits.max_events, kept[part], ends[part])
             for row in part.start + np.flatnonzero(hows == UNKNOWN):
-                solve_one(self.scene_of(int(row)), self.limits.max_events, kept[row], ends[row], self.columns is None)
+                solve_one(self.scene_of(int(row)), self.limits.max_events, kept[row], ends[row], self.goes_on)
             return len(hows)
 
         with meter("solving", progress) as line:
-            for some in in_chunks(solve, count, self.limits.jobs):
+            for some in in_chunks(solve, count, self.limits.jobs, self.columns.at_once if self.columns else _CHUNK):
                 done += some
                 if line is not None:
                     line(done, count)
@@ -101,17 +97,18 @@ class Work(NamedTuple):
 
     def form_ledgers(self, ends: Floats) -> None:
         """Run once more the rows of which nobody has formed what was taken and given; by compiled code if it can."""
-        left_out = _without_ledger(ends)
 
-        def form(part: slice) -> int:
-            some = left_out[part]
+        def form(columns: Columns, part: slice) -> int:
+            some = part.start + _without_ledger(ends[part])
             own = ends[some]
-            self.follow(some, True, np.empty((1, 2 + int(own[:, AT["events"]].max()), ROW)), own)
+            if len(some):
+                columns.take(some, self.limits.max_events, own)
             held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
-            ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
+            ends[some[held], _TAKEN:] = own[held, _TAKEN:]
             return len(some)
 
-        list(in_chunks(form, 0 if self.columns is None else len(left_out), self.limits.jobs))
+        if self.columns is not None:
+            list(in_chunks(partial(form, self.columns), len(ends), self.limits.jobs, self.columns.at_once))
         for row in _without_ledger(ends):
             run = run_scene(self.scene_of(int(row)), _FLOAT64, self.limits.max_events)
             ends[row, _TAKEN:] = taken_in(run, range(len(run.row_lengths)))
@@ -182,10 +179,11 @@ def _without_ledger(ends: Floats) -> Counts:
     return np.flatnonzero(np.isnan(ends[:, _TAKEN]) & (ends[:, AT["how"]] < How.OUT_OF_RANGE))
 
 
-def in_chunks(task: Callable[[slice], int], count: int, jobs: int | None) -> Iterator[int]:
+def in_chunks(task: Callable[[slice], int], count: int, jobs: int | None, most: int = _CHUNK) -> Iterator[int]:
     """Yield what a task says of each chunk of rows, in order; compiled code runs in threads, Python in turn."""
+    size = min(_CHUNK, most)
     cores = (jobs or available_cores()) if can_compile() else 1
-    parts = [slice(start, start + _CHUNK) for start in range(0, count, _CHUNK)]
+    parts = [slice(start, start + size) for start in range(0, count, size)]
     if cores == 1 or len(parts) <= 1 or is_held():
         yield from map(task, parts)
         return
@@ -234,7 +232,7 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
         near, off = floats_of([[getattr(one, name) for name in names] for one in knots])
         took, error = floats_of([found.ledger.friction, found.ledger.viscous, found.ledger.work])
     table[:, [AT[name] for name in names]], table[:, late : late + len(names)] = near, off
-    table[-1, ROW:] = record.how, record.events, *took, 0.0, 0.0, 0.0, error.sum()
+    table[-1, ROW:] = record.how, record.events, len(record.rows), *took, 0.0, 0.0, 0.0, error.sum()
     if not (np.isfinite(table).all() and np.isfinite(floats_of(found.energy)).all()):
         raise OutOfRange("a number of this scene does not fit in float64; solve(scene) has it in balls")
     return table[:-1, :ROW], table[-1]

@@ -81,7 +81,7 @@ class Trajectory(Rows):
     True
     """
 
-    FORMAT = "inertial-pair trajectory 5"
+    FORMAT = "inertial-pair trajectory 6"
     ENERGIES = ("energy", "energy_excess")
     _PICTURES = "numerics.trajectory.figures"
 

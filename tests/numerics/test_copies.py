@@ -140,7 +140,7 @@ WRITTEN = [
     b"{}",
     b"7",
     b"\xff\xfe",
-    b'{"format": "inertial-pair trajectory 5"}',
+    b'{"format": "inertial-pair trajectory 6"}',
     b'{"ratio": ["0x1", "0x0"]}',
 ]
 

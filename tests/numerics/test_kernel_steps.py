@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from kernel_runs import begun, exact
 from strategies import polynomials_of_roots
 
-from numerics import Force, Pair, Scene, Signal, State
+from numerics import Force, Friction, Pair, Scene, Signal, State, Weakening
 from numerics.linear.first_root import CLEAR, ROOT, UNDECIDED, first_root
 from numerics.linear.next_event import Next, Step, next_event
 from numerics.linear.polynomial_root import first_crossing, touches
@@ -103,7 +103,11 @@ def test_what_follows_is_judged_by_the_load_that_there_is_when_a_late_event_come
 
 @pytest.mark.parametrize("side", [1, -1])
 def test_which_way_a_slip_goes_when_the_belt_has_jumped_is_known_beyond_N_and_rounding(side):
-    run, now = begun(Scene(Pair(1, "inf", 1, 1), State(v1=2), 9, belt=Signal.constant(2)))
+    scene = Scene(Pair(1, "inf", 1, 1), State(v1=2), 9, belt=Signal.constant(2))
+    run, now = begun(scene.replace(friction=Friction((), Weakening([("0.5", 1)]))))
+    run.y[1] += side  # into a cell that is not looked for
+    assert resolve(run, now, StepEnd(CONTACT, 0.0)).mode == NO_MODE
+    run, now = begun(scene)
     for N, gap, is_known in ((0, 4 * UNIT, False), (0, 1e-12, True), (1e-9, 0.99e-9, False), (1e-9, 1.01e-9, True)):
         run.y[1] = run.y[3] + side * gap
         after = resolve(run, now._replace(N=N / run.norm.kappa), StepEnd(CONTACT, 0.0))
