@@ -154,53 +154,35 @@ def add_signal(row: Any, block: Any, factor: Any) -> None:
         row[block[2] + 2 * k] += factor
 
 
-def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any, Any], rows: Rows) -> None:
+def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, ...], rows: Rows) -> None:
     """Write the matrices of a pair, in the numbers of `bodies`; omegas (n,): that of a sine stands at its cosine.
 
     Several pairs of one layout may stand along a last axis of all these.
 
     `cell`: slope (N s/m), pull (N/m) and level of friction, level b + slope (v1 - v2) + pull (x1 - x2) in a slip +.
-    Rows are written place by place: as if of all z only that one were 1.
     """
     (A, guards, others, powers), (slope, pull, level) = rows, cell
-    signals = np.zeros_like(powers[:, :5, 0])
+    signals, state = 0 * powers[:, :5, 0], 0 * others
     put_signals(blocks, omegas, A, signals)
-    for j in range(omegas.shape[0]):
-        x1, v1, x2, v2 = int(j == X1), int(j == V1), int(j == X2), int(j == V2)
-        u, f, c, y, b = signals[0, :, j]
-        belt_rate, wall_rate = signals[1, BELT, j], signals[1, WALL, j]
-        w, stretching, apart = v1 - v2, v1 - wall_rate, pull * (x1 - x2)
-        spring = -bodies.a2 * (x1 - y) - bodies.a1 * stretching
-        push = spring + u
-        load = bodies.share_2 * push - bodies.share_1 * f - bodies.m1 * belt_rate
-        edge, kinetic = bodies.static * level * b + apart, level * b + slope * w + apart
-        A[SLIP, V1, j] += bodies.inverse_1 * (push - kinetic)
-        A[SLIP, V2, j] += bodies.inverse_2 * (f + kinetic) + belt_rate
-        guards[SLIP, 0, j] += w
-        guards[STICK, 0, j] += edge - load
-        guards[STICK, 1, j] += edge + load
-        others[LOAD, j] += load
-        others[EDGE, j] += edge
-        others[KINETIC, j] += kinetic
-        others[DRIVEN, j] += c
-        for mode in range(2):
-            A[mode, X1, j] += v1
-            A[mode, X2, j] += v2
-            A[STICK, V1 + 2 * mode, j] += bodies.inverse_both * (push + f) + belt_rate
-            own, held = powers[mode], kinetic if mode == SLIP else load
-            if mode == SLIP:
-                put_power(own[0], j, kinetic, w)
-            put_power(own[1], j, bodies.a1 * stretching, stretching)
-            put_power(own[2], j, u, v1)
-            put_power(own[3], j, f, v2)
-            put_power(own[4], j, -held, c)
-            put_power(own[5], j, spring, wall_rate)
-
-
-def put_power(power: Any, j: int, one: Any, two: Any) -> None:
-    """Write the factors of a power at a place."""
-    power[0, j] += one
-    power[1, j] += two
+    for k in range(FIRST):
+        state[k, k] += 1
+    (x1, v1, x2, v2), (u, f, c, y, b) = state, signals[0]
+    belt_rate, wall_rate = signals[1, BELT], signals[1, WALL]
+    w, stretching, apart = v1 - v2, v1 - wall_rate, (x1 - x2) * pull
+    spring = (y - x1) * bodies.a2 - stretching * bodies.a1
+    push = spring + u
+    load = push * bodies.share_2 - f * bodies.share_1 - belt_rate * bodies.m1
+    edge, kinetic = b * level * bodies.static + apart, b * level + w * slope + apart
+    A[:, X1] += v1
+    A[:, X2] += v2
+    A[SLIP, V1] += (push - kinetic) * bodies.inverse_1
+    A[SLIP, V2] += (f + kinetic) * bodies.inverse_2 + belt_rate
+    A[STICK, V1] += (push + f) * bodies.inverse_both + belt_rate
+    A[STICK, V2] += A[STICK, V1]
+    guards[SLIP, 0], guards[STICK], others[:] = w, (edge - load, edge + load), (load, edge, kinetic, c)
+    powers[SLIP, 0] = kinetic, w
+    for mode, held in ((SLIP, kinetic), (STICK, load)):
+        powers[mode, 1:] = (stretching * bodies.a1, stretching), (u, v1), (f, v2), (-held, c), (spring, wall_rate)
 
 
 def put_signals(blocks: Any, omegas: Any, A: Any, signals: Any) -> None:

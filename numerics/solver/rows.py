@@ -88,7 +88,7 @@ class Work(NamedTuple):
                 solve_one(self.scene_of(int(row)), self.limits.max_events, kept[row], ends[row], self.goes_on)
             return len(hows)
 
-        with meter("solving", progress) as line:
+        with meter("solving", progress, ticks=count > 1) as line:
             for some in in_chunks(solve, count, self.limits.jobs, self.columns.at_once if self.columns else _CHUNK):
                 done += some
                 if line is not None:

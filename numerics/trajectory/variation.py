@@ -238,8 +238,16 @@ def _moved_rows(pair: Pair, layout: Layout, cell: Cell, name: str, place: int, l
     numbers.mass = numbers.m1 if pair.is_fixed else numbers.m1 + numbers.m2
     omegas = np.frompyfunc(series, 2, 1)(spread_omegas(layout), np.arange(layout.size) == place)
     rows = Rows(*(np.full(one.shape, 0, dtype=object) for one in make_rows(layout.size)))
-    put_rows(Bodies.of(numbers), layout.blocks, omegas, tuple(map(series, cell, line)), rows)  # type: ignore[arg-type]
+    bodies, own = Bodies.of(numbers), map(series, cell, line)  # type: ignore[arg-type]
+    put_rows(Bodies(*map(_one, bodies)), layout.blocks, omegas, tuple(map(_one, own)), rows)
     return Rows(*map(_slopes, rows))
+
+
+def _one(number: object) -> Array:
+    """Return a number as an array (1,): numpy takes a series for a sequence."""
+    found = np.empty(1, dtype=object)
+    found[0] = number
+    return found
 
 
 def _exponential(matrix: Array, tau: arb) -> Array:
