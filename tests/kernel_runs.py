@@ -14,7 +14,6 @@ import numpy as np
 from numerics import Law, State, Trajectory
 from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.float64 import Float64
-from numerics.linear.cells import cells_of
 from numerics.linear.engine import _exact_rows, _run
 from numerics.linear.exact_start import exact_knots
 from numerics.linear.kernel import begin
@@ -54,21 +53,20 @@ class Run(NamedTuple):
 
 def run(scene, by=NOTHING, most=60):
     """A run that is told that x1, v1, x2 and v2 may be off by so much at the start."""
-    prepared, cells = prepare(scene), cells_of(scene)
+    prepared = prepare(scene)
     starts = prepared.starts.copy()
     start = starts[0]
-    if cells is not None:
+    if prepared.cells is not None:
         start[:ROW] = _exact_rows(prepared, exact_knots(scene, prepared.pieces)[:1])[0]
         start[AT["jump"]] = start[BOUNDS[1:]] = 0.0
     for k, exponent in enumerate([prepared.units.of(length=1), prepared.units.of(length=1, time=-1)] * 2):
         start[BOUNDS[1 + k]] = math.ldexp(abs(float(by[k])), -exponent)
     how, rows, end = _run(prepared, starts, -1.0, most)
     if how < 3:
-        mass, time, length = prepared.units
         record = Record(rows.copy(), end.copy(), How(how), int(end[AT["events"]]))
         compiled(finish)(record.rows[None], record.end[None], prepared.to_si)
         taken = taken_in(Trajectory(scene, Float64(), record), range(len(rows) - (how == 2)))
-        end[AT["friction"] :] = np.ldexp(taken, 2 * time - mass - 2 * length)
+        end[AT["friction"] :] = np.ldexp(taken, prepared.units.of(-1, 2, -2))
     return Run(how, rows, end, prepared)
 
 

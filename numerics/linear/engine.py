@@ -117,6 +117,7 @@ def _from_exact(
     start = starts[0]
     start[:ROW] = rows[-1]
     if is_cut:
+        start[ROW:] = np.nan  # nobody has formed the ledger yet
         start[AT["events"]], start[AT["rows"]] = most, len(rows)
         return How.EVENT_LIMIT, rows, start
     start[AT["order"]], start[AT["jump"]] = min(order, _MOST_ORDER), 0.0

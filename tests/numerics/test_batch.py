@@ -103,6 +103,12 @@ def test_arrays_are_binary_numbers_also_where_scenes_are_made_of_them_unless_the
     assert [solve_many(**given, exact=one).events.item() for one in (True, False)] == [0, 31]
 
 
+def test_a_run_that_is_cut_within_its_exact_start_has_lost_what_solve_says():
+    """@example of a found fault: nothing, to all digits."""
+    scene = scenes_in("drawn")["cut-within-its-exact-start"]
+    assert solve_scenes([scene], max_events=1).dissipated == solve(scene, max_events=1).dissipated
+
+
 GRID = {"v1": [0.1, 0.2], "b": [[0.05], [0.1], [0.2]]}
 SHAPES = {
     "one": ({"v1": 0.1, "keep_events": 2}, ()),
@@ -146,9 +152,7 @@ def test_many_chunks_threads_and_progress(monkeypatch):
     two = solve_many(**given, jobs=2, progress=lambda done, whole: told.append((done, whole)))
     for name in ("status", "y", "y_error", "event_t", "event_y", "dissipated"):
         assert np.array_equal(getattr(one, name), getattr(two, name), equal_nan=True)
-    assert told[-1] == (50, 50)
-    assert len(told) >= 8
-    assert [done for done, _ in told] == sorted({done for done, _ in told})
+    assert told == [(min(done, 50), 50) for done in range(7, 57, 7)]
 
 
 def test_a_long_batch_can_be_interrupted_between_short_chunks():
