@@ -33,6 +33,7 @@ _SAID = {
     "is not a file": "it is an archive of plain arrays, as of --npz, which np.load reads",
     "'inertial-pair surface trajectory 5'": "it is a run on a surface, which PlaneTrajectory.load reads",
     "'inertial-pair trajectory 6'": "it is a run on a line, which Trajectory.load reads",
+    "'inertial-pair ": "it is of another version; solve its scene again",
 }
 """What is wrong with a file where an error says this."""
 
