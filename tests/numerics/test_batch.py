@@ -162,9 +162,9 @@ def test_a_long_batch_can_be_interrupted_between_short_chunks():
     assert told == [128, 256, 384, 500]
 
 
-ROWS = PAPER | {"m2": [1] * 9 + [1e-300, 1], "b": [0.5] * 10 + [1e-300], "x2": 3, "keep_events": 5}
+ROWS = PAPER | {"m2": [1] * 9 + [1e-300, 1], "b": [0.5] * 10 + [1e-300], "a1": 0.01, "keep_events": 5, "until": 100}
 ROWS |= {"v1": [0.1 + k / 40 for k in range(10)] + [1e100]}
-"""The last two leave the range of floats."""
+"""The last two leave the range of floats; the first stick so long that steps do not take the segment's ledger."""
 SINES = [([0] * 5 + [0.375] * 6, 5, 0.25)]
 """Some are of the free pair: their ledgers are formed when they are looked at."""
 WAYS = {
@@ -186,7 +186,7 @@ def test_a_new_process_has_the_same_numbers(way):
     call = [sys.executable, "-c", code]
     done = subprocess.run(call, capture_output=True, check=True, env=os.environ | environment)
     for found, sines in zip(pickle.loads(done.stdout), [(), SINES], strict=True):
-        assert found.status.tolist() == [Status.REACHED_HORIZON] * 9 + [Status.OUT_OF_RANGE] * 2
+        assert (found.status > Status.STUCK_FOR_EVER).tolist() == [False] * 9 + [True] * 2
         assert np.array_equal(np.isnan(found.dissipated), ~found.success)
         require_rows(found, ROWS | {"sines": sines})
 
