@@ -28,17 +28,22 @@ def pytest_configure(config: pytest.Config) -> None:
         settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
 
 
-FLINT_BITS, MPMATH_BITS = 53, 53
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Of two processes one begins with half a minute of what needs no compiled code, while the other compiles."""
+    items.sort(key=lambda item: "claims/test_faults" not in item.nodeid)
+
+
+BITS = 53, 53
 
 
 @pytest.fixture(autouse=True)
 def precision_is_left_alone() -> Iterator[None]:
     """flint.ctx.prec and mpmath.mp.prec are global: a test starts at 53 bits and has to end there."""
-    flint.ctx.prec, mpmath.mp.prec = FLINT_BITS, MPMATH_BITS
+    flint.ctx.prec, mpmath.mp.prec = BITS
     yield
     left = flint.ctx.prec, mpmath.mp.prec
-    flint.ctx.prec, mpmath.mp.prec = FLINT_BITS, MPMATH_BITS
-    assert left == (FLINT_BITS, MPMATH_BITS), f"precision left at {left} bits (flint, mpmath)"
+    flint.ctx.prec, mpmath.mp.prec = BITS
+    assert left == BITS, f"precision left at {left} bits (flint, mpmath)"
 
 
 @pytest.fixture(autouse=True)

@@ -71,9 +71,9 @@ def started(orbit: Orbit, begin: Fraction) -> list[Fraction]:
         return [rounded(one) for one in (x1, v1, v1 if v1.overlaps(v2) else v2)]
 
 
-def outside(found: Any, until: float, points: int = 4_001) -> np.ndarray:
+def outside(found: Any, until: float) -> np.ndarray:
     """The times of a run at which the distance from the ring's centre is above its radius."""
-    t = np.linspace(0, until * (1 - 1e-12), points)
+    t = np.linspace(0, until * (1 - 1e-12), 4_001)
     y = solve(replace(found.scene, until=until)).sol(t)
     distance = np.hypot(y[0] - y[2] - float(found.centre), (y[1] - y[3]) / float(found.rate))
     return t[distance > float(found.radius) * (1 + 1e-9)]

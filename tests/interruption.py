@@ -23,10 +23,8 @@ runpy.run_module({package!r}, run_name="__main__", alter_sys=True)
 """
 
 
-def interrupted(
-    package: str, arguments: list[str], module: str, folder: Path, how: signal.Signals = signal.SIGINT
-) -> tuple[int, str, str]:
-    """Run `python -m package arguments`, signal it once it has imported the module; return code, output and errors.
+def interrupted(package: str, arguments: list[str], module: str, folder: Path) -> tuple[int, str, str]:
+    """Run `python -m package arguments`, interrupt it once it has imported the module; return code, output and errors.
 
     Commands import what is heavy when they need it: a module that is there says how far the command is.
     """
@@ -36,6 +34,6 @@ def interrupted(
     )
     assert process.stdout is not None
     assert process.stdout.readline() == "begun\n", "it ended before it could be interrupted"
-    process.send_signal(how)
+    process.send_signal(signal.SIGINT)
     output, errors = process.communicate(timeout=300)
     return process.returncode, output, errors

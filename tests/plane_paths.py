@@ -13,9 +13,9 @@ from numerics.plane.system import System
 from numerics.plane.vector import wide
 
 
-def path_of(scene: PlaneScene, digits: int = 16, events: int = 100, legs: int = 2000) -> PlaneRun:
+def path_of(scene: PlaneScene, digits: int = 16, legs: int = 2000) -> PlaneRun:
     """A path that nobody has followed yet."""
-    return PlaneRun([System(one, digits) for one in reduced(scene)], events, legs)
+    return PlaneRun([System(one, digits) for one in reduced(scene)], 100, legs)
 
 
 def said(scene: PlaneScene, off: float = 0.0, digits: int = 16) -> tuple[Any, ...]:

@@ -10,6 +10,18 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import OutOfRange
 from numerics.scene.decimals import short
 
+sqrt = math.sqrt
+
+
+def midpoint(x: float) -> float:
+    """Return x."""
+    return x
+
+
+def tolerance(_: float) -> float:
+    """Return the relative step at which a search among floats ends."""
+    return 2.0**-52
+
 
 class Float64(Arithmetic):
     """Python floats: the fast arithmetic. What runs in it says by how much it may be off."""

@@ -1,26 +1,25 @@
 """The functions of numbers, by the type of the number: mpmath's mpf, flint's arb.
 
-A formula is written once, with operators and these, and works in both arithmetics. Each is accurate relative to its own
-value; for balls every answer encloses the true one, and comparisons mean "proven". They stand under their names in
-multiprecision.py and ball.py.
+A formula is written once, with operators and these, and works in both arithmetics; some work for floats, too. Each is
+accurate relative to its own value; for balls every answer encloses the true one, and comparisons mean "proven". They
+stand under their names in multiprecision.py, ball.py and float64.py.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import Any
 
 from flint import arb
 from mpmath import mpf
 
-from numerics.arithmetic import ball, multiprecision
+from numerics.arithmetic import ball, float64, multiprecision
 from numerics.arithmetic.protocol import Number
 
 
 def _by_type(name: str, says: str) -> Callable[..., Any]:
     """Return the function of this name, as it is for the type of its first argument."""
-    of = {mpf: getattr(multiprecision, name), arb: getattr(ball, name), float: getattr(math, name, None)}
+    of = {mpf: getattr(multiprecision, name), arb: getattr(ball, name), float: getattr(float64, name, None)}
 
     def function(x: Number, *further: Any) -> Any:
         return of[type(x)](x, *further)
@@ -32,7 +31,7 @@ def _by_type(name: str, says: str) -> Callable[..., Any]:
 as_float = _by_type("as_float", "Return the float nearest to x, or to the midpoint of a ball: it chooses only.")
 midpoint = _by_type("midpoint", "Return x, or the midpoint of a ball, which is exact.")
 two_pi = _by_type("two_pi", "Return 2 pi as a number of the type of x.")
-sqrt = _by_type("sqrt", "Return the square root of x >= 0; of a ball, of its points that are >= 0. Floats too.")
+sqrt = _by_type("sqrt", "Return the square root of x >= 0; of a ball, of its points that are >= 0.")
 sine_cosine = _by_type("sine_cosine", "Return (sin x, cos x).")
 atan2 = _by_type("atan2", "Of (y, x): return the angle of the point (x, y).")
 sine_deficit = _by_type("sine_deficit", "Return x - sin x.")

@@ -25,8 +25,9 @@ import numpy as np
 from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
-from numerics.arithmetic.ball import Ball, undecided
+from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.protocol import Number
+from numerics.arithmetic.root import falling_root
 from numerics.control.answers import most_digits, number
 from numerics.errors import NoForceHere, NotSettled, OutOfRange
 from numerics.free.abel import creeping_place
@@ -113,7 +114,7 @@ def damping(scene: Scene, tolerance: Exact, *, digits: int = 15, max_digits: int
         def follow(one: Scene) -> Trajectory:
             return run_scene(one, arithmetic, _MOST_EVENTS)
 
-        own, at_best = (_times(one, level, follow, digits) for one in (scene, scene.replace(a1=best)))
+        own, at_best = (_times(one, level, follow) for one in (scene, scene.replace(a1=best)))
         heavy = _heavy(scene, size)
         known, is_best = [one for one in (*own, *at_best, *heavy) if one.is_finite()], not heavy.rest <= at_best.rest
         found = Damping(
@@ -151,7 +152,7 @@ def _sampled(scene: Scene, level: Fraction) -> list[tuple[float, Times]]:
     return sorted(found)
 
 
-def _times(scene: Scene, level: Fraction, follow: Callable[[Scene], Trajectory], digits: int = 5) -> Times:
+def _times(scene: Scene, level: Fraction, follow: Callable[[Scene], Trajectory]) -> Times:
     """Return from when on the pair sticks permanently, and from when on E <= level. Raises NotSettled."""
     never, pair = arb.pos_inf(), scene.pair
     until = Fraction(_SWINGS * math.sqrt(pair.mass / pair.a2))
@@ -164,7 +165,7 @@ def _times(scene: Scene, level: Fraction, follow: Callable[[Scene], Trajectory],
             if scene.energy <= level:
                 return Times(stuck, none)
             if run.reached and left < 0:
-                return Times(stuck, _first_at(run, level, digits))
+                return Times(stuck, _first_at(run, level))
             if pair.a1 == 0 and (level <= pair.critical_energy if creeps else left > 0):
                 return Times(stuck, never)
         if not run.reached:
@@ -176,14 +177,15 @@ def _times(scene: Scene, level: Fraction, follow: Callable[[Scene], Trajectory],
     )
 
 
-def _first_at(run: Trajectory, level: Fraction, digits: int) -> Number:
+def _first_at(run: Trajectory, level: Fraction) -> Number:
     """Return the time at which E falls to a level that it is below at the end."""
-    scene, exact, low, high = run.scene, run.arithmetic.number, Fraction(0), run.scene.until
-    while high - low > high / 10 ** (digits + 2):
-        times = [low + (high - low) * k / _PARTS for k in range(1, _PARTS + 1)]
-        over = scene.pair.energy(run.sol(times), exact) - exact(level)
-        k = next(k for k, one in enumerate(over) if not one > 0)
-        if not over[k] <= 0:
-            raise undecided("is the energy still above that of the tolerance?", over[k])
-        low, high = times[k - 1] if k else low, times[k]
-    return exact(low).union(exact(high)) if isinstance(over[0], arb) else exact(high)
+    pair, exact = run.scene.pair, run.arithmetic.number
+
+    def over(t: Number) -> tuple[Number, Number]:
+        _, v1, _, v2 = y = run.sol(t).tolist()
+        return pair.energy(y, exact) - exact(level), -exact(pair.a1) * v1 * v1 - exact(pair.b) * abs(v1 - v2)
+
+    moments = [*zip(run.t.tolist(), run.energy - exact(level), strict=True)]
+    low = [moments[0][0], *(t for t, left in moments if left > 0)][-1]
+    high = next(t for t, left in moments if left < 0)
+    return falling_root(low, high, over)

@@ -314,8 +314,9 @@ class Rows(Answer[Mode]):
             z, pair = np.zeros((layout.size, len(own))), self.scene.pair
             for k in its:
                 z[FIRST:, all_modes[own] == k] = signals_of(modes[k])[:, None]
-            for late in (local[own], rest[own]):  # the signals are those of a stick, in which nothing grows
-                z += steps_of(pair, layout, False, CONSTANT, _bits(local[own])).over(z, late)
+            if max(layout.terms) > 1 or any(layout.omegas):
+                for late in (local[own], rest[own]):  # the signals are those of a stick, in which nothing grows
+                    z += steps_of(pair, layout, False, CONSTANT, _bits(local[own])).over(z, late)
             z[:FIRST] = y[:, own]
             z = z[:, at.ravel()]
             changed = steps_of(pair, layout, slips, cell, _bits(tau)).over(z, tau)

@@ -46,8 +46,9 @@ def least_energy(pair, far, until, cells=60):
     return h * np.sum((u @ found.x) ** 2)
 
 
-def least_peak(pair, far, until, cells=200):
+def least_peak(pair, far, until):
     """By a linear program."""
+    cells = 200
     u, arrives = by_cells(pair, until, cells)
     within = np.vstack([np.c_[u, -np.ones(cells)], np.c_[-u, -np.ones(cells)]])
     bounds = [(-float(pair.b / pair.m2), float(pair.b / pair.m2))] * cells + [(0, None)]

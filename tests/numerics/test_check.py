@@ -10,16 +10,19 @@ from numerics.linear.record import AT
 from numerics.trajectory.columns import STATE
 from numerics.trajectory.export import bounds_at
 
-RUN = solve(load_scene("velocities"))
-"""24 events in float64."""
+
+@pytest.fixture(scope="module")
+def own():
+    """24 events in float64."""
+    return solve(load_scene("velocities"))
 
 
-def falsified(row, **changed):
-    """The run with other numbers in a row of its record."""
-    rows = RUN.record.rows.copy()
+def falsified(own, event, **changed):
+    """The run with other numbers in the row of an event."""
+    rows = own.record.rows.copy()
     for name, value in changed.items():
-        rows[row, AT[name]] = value
-    return Trajectory(RUN.scene, RUN.arithmetic, RUN.record._replace(rows=rows))
+        rows[own.event_rows[event], AT[name]] = value
+    return Trajectory(own.scene, own.arithmetic, own.record._replace(rows=rows))
 
 
 SCENES = {
@@ -41,18 +44,18 @@ def test_a_true_run_passes(name, how):
 
 
 def test_without_bounds_it_says_what_numbers_are_off_by():
-    found = solve(RUN.scene, arithmetic="mpmath", digits=20).check()
+    found = solve(load_scene("velocities"), arithmetic="mpmath", digits=20).check()
     assert found.right
     assert {one.bound for one in found.off} == {None}
     assert 0 < max(one.error for one in found.off) < 1e-18
 
 
 @pytest.mark.parametrize("place", range(5))
-def test_a_falsified_number_is_named_with_its_event(place):
+def test_a_falsified_number_is_named_with_its_event(own, place):
     """A row's state is that of its event; 1.5 times its bound is beyond it."""
-    row, by, column = int(RUN.event_rows[6]), 1.5 * bounds_at(RUN, 6)[place], ("local", *STATE)[place]
+    by, column = 1.5 * bounds_at(own, 6)[place], ("local", *STATE)[place]
     name = column.replace("local", "t")
-    found = falsified(row, **{column: RUN.record.rows[row, AT[column]] + by}).check()
+    found = falsified(own, 6, **{column: own.record.rows[own.event_rows[6], AT[column]] + by}).check()
     worst = next(one for one in found.off if one.quantity == name)
     assert not found.right
     assert (worst.event, worst.within) == (7, False)
@@ -62,10 +65,10 @@ def test_a_falsified_number_is_named_with_its_event(place):
 
 
 @pytest.mark.parametrize("event", [1, 5])
-def test_a_falsified_mode_is_the_first_event_that_differs_and_only_what_is_before_it_is_compared(event):
-    found = falsified(int(RUN.event_rows[event - 1]), mode=1 - abs(RUN.signs[event])).check()
-    assert (found.right, found.difference.event, found.difference.t) == (False, event, RUN.event_times[event - 1])
-    assert found.difference.mode != found.difference.true_mode == RUN.modes[event].value
+def test_a_falsified_mode_is_the_first_event_that_differs_and_only_what_is_before_it_is_compared(own, event):
+    found = falsified(own, event - 1, mode=1 - abs(own.signs[event])).check()
+    assert (found.right, found.difference.event, found.difference.t) == (False, event, own.event_times[event - 1])
+    assert found.difference.mode != found.difference.true_mode == own.modes[event].value
     assert str(found.difference) in str(found)
     assert {(one.quantity, one.within) for one in found.off} == {
         (one, True) for one in ("t", *STATE)[: 9 * (event > 1)]
@@ -74,19 +77,19 @@ def test_a_falsified_mode_is_the_first_event_that_differs_and_only_what_is_befor
     assert json.loads(json.dumps(found.to_dict()))["difference"]["event"] == event
 
 
-def test_a_lost_event_and_an_invented_one_are_named():
+def test_a_lost_event_and_an_invented_one_are_named(own):
     """The rows of a run over 3 s said to be those of 5 s, and the other way round."""
-    early = RUN.scene.replace(until=3)
-    lost = Trajectory(RUN.scene, RUN.arithmetic, solve(early).record).check().difference
-    invented = Trajectory(early, RUN.arithmetic, RUN.record).check().difference
+    early = own.scene.replace(until=3)
+    lost = Trajectory(own.scene, own.arithmetic, solve(early).record).check().difference
+    invented = Trajectory(early, own.arithmetic, own.record).check().difference
     assert lost.event == invented.event == len(solve(early).events) + 1
     assert (lost.t, lost.mode) == (invented.true_t, invented.true_mode) == (None, None)
-    assert lost.true_t == pytest.approx(invented.t) == pytest.approx(RUN.event_times[lost.event - 1])
+    assert lost.true_t == pytest.approx(invented.t) == pytest.approx(own.event_times[lost.event - 1])
     assert "no such event; in truth" in str(lost)
 
 
-def test_the_command_prints_it(run, record, monkeypatch):
+def test_the_command_prints_it(own, run, record, monkeypatch):
     assert record("solve", "velocities", "--check")["right"] is True
-    wrong = falsified(int(RUN.event_rows[6]), x1=9.0).check()
+    wrong = falsified(own, 6, x1=9.0).check()
     monkeypatch.setattr(Trajectory, "check", lambda _: wrong)
     assert run("solve", "velocities", "--check")[:2] == (1, f"{wrong}\n")

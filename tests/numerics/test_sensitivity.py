@@ -45,12 +45,12 @@ def named(name):
     return (FREE | WEAKENED | SIGNALS).get(name) or load_scene(CATALOGUE / f"{name}.toml")
 
 
-def in_balls(scene, digits=DIGITS, most=40):
-    return solve(scene, arithmetic="ball", digits=digits, max_events=most)
+def in_balls(scene, digits=DIGITS):
+    return solve(scene, arithmetic="ball", digits=digits, max_events=20)
 
 
 def compared(scene):
-    """All numbers of a scene moved at once; events, states and times up to the horizon, or the first forty events."""
+    """All numbers of a scene moved at once; events, states and times up to the horizon, or the first twenty events."""
     base = in_balls(scene)
     return deviation(base, everything(base))
 
@@ -104,7 +104,7 @@ def test_derivatives_are_right_to_the_digits_of_their_arithmetic(name):
     scene, truth = named(name), in_balls(named(name), 60)
     ways = [("ball", 15), (None, None), *[("mpmath", 30)] * free_scene(scene)]
     for arithmetic, digits in ways:
-        run = solve(scene, digits=digits, arithmetic=arithmetic, max_events=40)
+        run = solve(scene, digits=digits, arithmetic=arithmetic, max_events=20)
         with truth.context():
             found = derivatives(run, truth)
             assert [one for one in found if not one.ratio <= 1] == []
