@@ -68,7 +68,7 @@ def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) 
     return Record(rows, end, _HOWS[how], int(end[AT["events"]]))
 
 
-def ledger_of(scene: Scene, record: Record) -> tuple[NDArray[np.float64], list[int]]:
+def taken_of_floats(scene: Scene, record: Record) -> tuple[NDArray[np.float64], list[int]]:
     """Return what was taken and given in a run in float64 (model.TAKEN), J, and a bound on the error of each, (7,).
 
     Without the rows, returned too, whose segments are too long for steps.

@@ -22,10 +22,11 @@ from numerics.linear.evolve import evolve
 from numerics.linear.first_root import ROOT, UNDECIDED
 from numerics.linear.model import V2
 from numerics.linear.next_event import Next, Step, next_event, step_from
-from numerics.linear.record import AT, CODES, ROW
+from numerics.linear.record import AT, CODES, ROW, How
 from numerics.linear.resolve import (
     CONTACT,
     EXIT,
+    NO_MODE,
     NOTHING,
     PIECE,
     StepEnd,
@@ -33,12 +34,12 @@ from numerics.linear.resolve import (
     fastest,
     resolve,
 )
-from numerics.linear.resolve import UNDECIDED as UNDECIDED_MODE
 from numerics.linear.room import Now, Problems, Run, enter, form_z, place_of, run_of
 from numerics.linear.table import OF_V1, OF_V2, STATE, UNIT
 
-GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
-"""How a call ended, if it did: the first five as in record.How; or more steps are needed."""
+REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT = map(int, How)
+GOES_ON, TOO_MANY = -1, len(How)
+"""A call may not have ended yet, or have needed too many steps."""
 MOST_STEPS = 400_000
 _MODE, _ORDER, _EVENT, _JUMP, _PIECE, _CELL = (AT[name] for name in CODES)
 _LOCAL, _REST, _LENGTH = (AT[name] for name in ("local", "local_rest", "length"))
@@ -81,7 +82,7 @@ def follow(run: Run, start: Any, clear_until: float, log: Log) -> None:
         if event.kind != NOTHING and how == GOES_ON:
             before, now = now, resolve(run, now, event)
             is_event = event.kind == EXIT or (run.counts[0] > 0 and now.mode != before.mode)
-            how = DOUBT if now.mode == UNDECIDED_MODE else record(run, now, event, is_event, log)
+            how = DOUBT if now.mode == NO_MODE else record(run, now, event, is_event, log)
             calm = Calm(False, step, step)
         enter(run, now.piece, now.mode)
         calm = look_ahead(run, now, calm, step, how == REACHED)

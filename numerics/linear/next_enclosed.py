@@ -41,7 +41,7 @@ _TOO_FAST, _SCAN_BITS, _SHARP_BITS = arb((1, 1024)), 128, 2_400
 _NEAR, SHY = arb((1, -24)), 1 - arb((1, -20))
 """A guard that exceeds its margin by no more than the first factor is near 0. A step ends at SHY of the time that is
 proved."""
-CLEAR, UNKNOWN = -1, -2
+CLEAR, UNCLEAR = -1, -2
 """No guard vanishes; that is not proved. Otherwise the answer is the index of the guard that does."""
 _RATIO, _BEHIND = arb("0.4873"), arb((1, -12))
 """Intervals are cut a little below their middle: a root at a round number is then seldom an end of one. When they are
@@ -227,11 +227,11 @@ def look(curves: Sequence[Curve], since: arb, h: arb) -> int:
         # the slope has the Bernstein coefficients n (b_k+1 - b_k)/h
         slack = one.left_out(end, 1) * h / max(1, len(values) - 1)
         if one.order or len(values) == 1 or not all(two - before < -slack for before, two in pairwise(values)):
-            return UNKNOWN
+            return UNCLEAR
         if values[-1] > off:
             continue
         if not -values[-1] > off or hit != CLEAR:
-            return UNKNOWN
+            return UNCLEAR
         hit = index
     return hit
 
@@ -247,7 +247,7 @@ def march(
     since, curves = arb(0), first
     while h > least.max(since * _BEHIND):
         hit = look(curves, since, h)
-        if hit == UNKNOWN or (hit != CLEAR and not finds):
+        if hit == UNCLEAR or (hit != CLEAR and not finds):
             h = (h * _RATIO).mid()
         elif hit != CLEAR:
             return Clear(since, h, hit)

@@ -18,7 +18,7 @@ NOTHING, PIECE, CONTACT, SLIP_END, EXIT, NEXT_CELL = 0, 1, 2, 3, 4, 5
 """At the end of a step: the mode goes on; it does so in a new piece, or in a run whose mode is known; bodies that are
 together start, or something jumps; a slip comes to v1 = v2; the load of stick comes to the edge; a slip goes on in
 another cell of friction."""
-UNDECIDED = 2
+NO_MODE = 2
 """As a mode: the bounds leave open which one follows."""
 
 
@@ -56,7 +56,7 @@ def arrived(run: Run, now: Now, ahead: Next) -> tuple[Now, StepEnd]:
     apart = now.apart + 2.0 * norm.kappa * now.N * late
     if now.mode != 0 and (ahead.guard != FLOOR or tables.ends[now.kind, FLOOR] != 0.0):
         behind, order = int(tables.neighbours[now.kind, BEHIND, ahead.guard]), 0 if ahead.guard == AHEAD else 1
-        mode, edge = now.mode if behind >= 0 else UNDECIDED, CEILING if ahead.guard == FLOOR else FLOOR
+        mode, edge = now.mode if behind >= 0 else NO_MODE, CEILING if ahead.guard == FLOOR else FLOOR
         kind = behind if behind >= 0 else now.kind
         N = factor * (N + 8.0 * (steep / norm.kappa + pull) * ahead.own * window)
         return Now(piece, mode, kind, order, edge, late, N, far, far_2, apart, norm.kappa * N), StepEnd(NEXT_CELL, 0.0)
@@ -81,7 +81,7 @@ def arrived(run: Run, now: Now, ahead: Next) -> tuple[Now, StepEnd]:
 
 @inlined
 def resolve(run: Run, now: Now, event: StepEnd) -> Now:
-    """Return where a run is after an event, in which mode; UNDECIDED if the error bounds leave a doubt.
+    """Return where a run is after an event, in which mode; NO_MODE if the error bounds leave a doubt.
 
     z is that of the event, with b unsigned.
     """
@@ -91,15 +91,15 @@ def resolve(run: Run, now: Now, event: StepEnd) -> Now:
     gap = y[1] - y[3]
     if event.kind == CONTACT and gap != 0.0:  # the belt's velocity has jumped
         off = run.norm.kappa * now.N + 32.0 * UNIT * run.size[V2]
-        mode = UNDECIDED if abs(gap) <= off or has_cells(run.tables, now.kind) else 1 if gap > 0.0 else -1
+        mode = NO_MODE if abs(gap) <= off or has_cells(run.tables, now.kind) else 1 if gap > 0.0 else -1
     elif event.kind in (CONTACT, SLIP_END):
         mode = mode_after(run, now, (one, two), event.late)
         if event.kind == SLIP_END and mode == now.mode:
-            mode = UNDECIDED
+            mode = NO_MODE
         order = 1 if mode != 0 else 0
     late = event.late if mode != now.mode or event.kind == EXIT else now.late
     edge = now.edge if mode == now.mode and mode != 0 else 0 if mode != 0 or one <= two else 1
-    kind = now.kind if mode in (now.mode, UNDECIDED) else meeting(run.tables, now.kind, mode)
+    kind = now.kind if mode in (now.mode, NO_MODE) else meeting(run.tables, now.kind, mode)
     parted = now.speed_apart if mode == now.mode else run.norm.kappa * now.N
     return Now(now.piece, mode, kind, order, edge, late, now.N, now.far, now.far_2, now.apart, parted)
 
@@ -117,7 +117,7 @@ def mode_after(run: Run, now: Now, values: tuple[float, float], late: float) -> 
         if values[g] < -off:
             return 1 - 2 * g
         at_edge += 0 if values[g] > off else 1
-    return UNDECIDED if at_edge > 0 else 0
+    return NO_MODE if at_edge > 0 else 0
 
 
 @compilable

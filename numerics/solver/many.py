@@ -26,12 +26,12 @@ from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import Batch
 from numerics.solver.inputs import SI, inputs_of, near
-from numerics.solver.rows import Limits, Progress, Work
+from numerics.solver.rows import BatchLimits, Progress, Work
 from numerics.trajectory.columns import STATE, Array, room
 from numerics.trajectory.run import MAX_EVENTS
 
 
-def _limits(max_events: int, keep_events: int, jobs: int | None, progress: Progress | None) -> Limits:
+def _limits(max_events: int, keep_events: int, jobs: int | None, progress: Progress | None) -> BatchLimits:
     """Return the limits of a batch. Raises ValueError for what is none."""
     require_whole("max_events", max_events, 1)
     require_whole("keep_events", keep_events, 0)
@@ -41,7 +41,7 @@ def _limits(max_events: int, keep_events: int, jobs: int | None, progress: Progr
     require_whole("jobs", 1 if jobs is None else jobs, 1)
     if progress is not None:
         require_function("progress", progress, "(done, all)")
-    return Limits(max_events, keep_events, jobs)
+    return BatchLimits(max_events, keep_events, jobs)
 
 
 def solve_many(
@@ -150,7 +150,9 @@ def solve_scenes(
     return _one_by_one(given, limits, progress, (len(given),))
 
 
-def _one_by_one(scenes: Sequence[Scene], limits: Limits, progress: Progress | None, shape: tuple[int, ...]) -> Batch:
+def _one_by_one(
+    scenes: Sequence[Scene], limits: BatchLimits, progress: Progress | None, shape: tuple[int, ...]
+) -> Batch:
     """Return the answers of scenes that are solved one after the other, in a shape."""
     numbers = np.array([_numbers_in(scene) for scene in scenes]).reshape(-1, len(SI))
     walls = np.array([bool(one.wall.pieces) for one in scenes], dtype=bool).reshape(shape)

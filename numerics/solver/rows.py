@@ -43,7 +43,7 @@ _FLOAT64 = Float64()
 Progress = Callable[[int, int], None]
 
 
-class Limits(NamedTuple):
+class BatchLimits(NamedTuple):
     """What bounds a batch, and how it is worked on."""
 
     max_events: int
@@ -59,7 +59,7 @@ class Work(NamedTuple):
     """
 
     scene_of: Callable[[int], Scene]
-    limits: Limits
+    limits: BatchLimits
     shape: tuple[int, ...]
     numbers: Floats
     walls: Any = np.False_

@@ -18,7 +18,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, as_float
 from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
-from numerics.linear.engine import ledger_of as taken_of_floats
+from numerics.linear.engine import taken_of_floats
 from numerics.linear.model import WALL
 from numerics.linear.modes import EventKind, Mode
 from numerics.linear.record import NUMBERS, ROW, How, Record

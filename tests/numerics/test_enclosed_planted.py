@@ -15,7 +15,7 @@ from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
 from numerics.linear.enclosed import EnclosedRun
 from numerics.linear.flow import FEW, Curve, Flow, Motion
-from numerics.linear.next_enclosed import CLEAR, UNKNOWN, look
+from numerics.linear.next_enclosed import CLEAR, UNCLEAR, look
 from numerics.linear.record import How
 from numerics.linear.swings import Swings
 from numerics.linear.system import LinearMode, dot
@@ -124,12 +124,12 @@ LOOKS = """
 def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_it_leaves_out(row):
     """That counts from where it was expanded; two guards, or a derivative, that fall through 0 do not tell."""
     coefficients, margin, rest, (seen, *_) = map(str.split, row.split("|"))
-    found = {"clear": CLEAR, "unknown": UNKNOWN, "falls": 0}[seen]
+    found = {"clear": CLEAR, "unknown": UNCLEAR, "falls": 0}[seen]
     guard = Curve(arb_poly([*map(arb, coefficients)]), arb(*rest), FEW, arb(*margin))
     assert look([guard], arb(0), arb(1)) == found
-    assert look([guard, guard], arb(0), arb(1)) == (CLEAR if found == CLEAR else UNKNOWN)
+    assert look([guard, guard], arb(0), arb(1)) == (CLEAR if found == CLEAR else UNCLEAR)
     bent = guard._replace(polynomial=guard.polynomial.integral(), rest=arb(0), order=1)
-    assert look([bent], arb(0), arb(1)) in {CLEAR, UNKNOWN}
+    assert look([bent], arb(0), arb(1)) in {CLEAR, UNCLEAR}
     assert look([guard], arb("0.1"), arb("0.9")) == found
 
 

@@ -14,8 +14,7 @@ from numerics import Force, Friction, Pair, Scene, Signal, State, Weakening
 from numerics.linear.first_root import CLEAR, ROOT, UNDECIDED, first_root
 from numerics.linear.next_event import Next, Step, next_event
 from numerics.linear.polynomial_root import first_crossing, touches
-from numerics.linear.resolve import CONTACT, StepEnd, arrived, mode_after, resolve
-from numerics.linear.resolve import UNDECIDED as NO_MODE
+from numerics.linear.resolve import CONTACT, NO_MODE, StepEnd, arrived, mode_after, resolve
 from numerics.linear.room import form_z
 from numerics.linear.table import GUARDS, STATE, SUMS, UNIT
 
