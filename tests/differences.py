@@ -67,7 +67,7 @@ def everything(base: Any) -> dict[str, Fraction]:
     nor that of a belt, which is another velocity of body 2.
     """
     mode, scene = base.modes[0].sign, base.scene
-    weights = {name: Fraction(1 + k * k % 7, 4) for k, name in enumerate(parameters(scene))}
+    weights = {name: Fraction(k + 3, 12) for k, name in enumerate(parameters(scene))}
     weights |= {"x1": Fraction(-1), "v1": Fraction(3 * mode or 2)}
     weights |= {"a2": Fraction(-1, 3)} if scene.pair.a2 else {}
     weights |= {} if scene.pair.is_fixed else {"v2": Fraction(mode or 2)}

@@ -56,7 +56,7 @@ def test_any_answer_obeys_the_law(kind):
 def test_no_event_is_passed_over(scene):
     run = motion(scene)
     assert run.success
-    assert overlap(run, solve(scene, arithmetic="ball", digits=30))
+    assert overlap(run, solve(scene, arithmetic="ball", digits=30, max_digits=200))
 
 
 OFF = "belt-and-wall", "wall-of-a-sine"

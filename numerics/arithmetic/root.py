@@ -62,7 +62,7 @@ def first_fall(
 
 
 def approximate_root(lower: Number, upper: Number, function: Function) -> Number:
-    """Return the root of a function that falls from lower to upper to the last bits, a point.
+    """Return the root of a function that falls from lower to upper to the last bits, or to where balls hold 0, a point.
 
     The bracket shrinks with every evaluation; a Newton step that would leave it, or that shrinks it too slowly, is
     replaced by bisection, so convergence never depends on the shape of the function.
@@ -71,7 +71,7 @@ def approximate_root(lower: Number, upper: Number, function: Function) -> Number
     enough = tolerance(lower)
     last = sqrt(enough) / 4
     for _ in range(_STEPS):
-        value, slope = map(midpoint, function(x))
+        value, slope = function(x)
         if value > 0:
             lower = x
         elif value < 0:
@@ -100,9 +100,11 @@ def _enclosed(x: arb, lower: arb, upper: arb, function: Function) -> arb:
         width = 2 * (abs(value) / abs(slope)).upper() + abs(x) * arb(2) ** -bits
     for _ in range(8):
         region = arb(x, width.upper())
+        if not lower < region < upper:
+            break
         with precision(few):  # the step is as short as half of the bits: more of its slope would be lost in it
             derivative = function(region)[1]
-        if lower < region < upper and derivative < 0:
+        if derivative < 0:
             step = x - value / derivative
             if region.contains_interior(step):
                 return step

@@ -19,7 +19,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from flint import arb
@@ -44,6 +44,8 @@ _log = logging.getLogger(__name__)
 _SWINGS, _DOUBLINGS, _MOST_EVENTS = 16, 60, 10_000
 _OCTAVES, _PER_OCTAVE, _ZOOMS, _PARTS = 8, 8, 3, 16
 """The best damper is looked for so many octaves about 2 sqrt(a2 M), then between the neighbours of the best one."""
+_MOST_DECIMALS = 6
+"""By how many decimals a tolerance may be below the positions of a run in float64."""
 _LEAST = Fraction(1, 10**300)
 """The least energy at the tolerance, J, that the search in float64 takes."""
 
@@ -138,14 +140,20 @@ def _heavy(scene: Scene, size: Fraction) -> Times:
 
 
 def _sampled(scene: Scene, level: Fraction) -> list[tuple[float, Times]]:
-    """Return the times of dampers about the critical one of the stuck pair, closer about the best; in float64."""
+    """Return the times of dampers about the critical one of the stuck pair, closer about the best, as floats.
+
+    They come from float64, or from balls where the tolerance is below what rounding leaves of positions.
+    """
     found: list[tuple[float, Times]] = []
+    smaller = len(str(int(scene.energy / level))) // 2  # decimals by which the tolerance is below the largest |x1|
+    how: dict[str, Any] = {"arithmetic": "ball", "digits": 30 + smaller} if smaller > _MOST_DECIMALS else {}
     critical = 2 * math.sqrt(scene.pair.a2 * scene.pair.mass)
     dampers = critical * np.logspace(-_OCTAVES, _OCTAVES, 2 * _OCTAVES * _PER_OCTAVE + 1, base=2)
     for _ in range(_ZOOMS):
         _log.info("trying dampers from %.6g to %.6g N s/m", dampers[0], dampers[-1])
         scenes = [scene.replace(a1=Fraction(a1)) for a1 in dampers]
-        times = [_times(one, level, lambda one: solve(one, max_events=_MOST_EVENTS)) for one in scenes]
+        runs = [_times(one, level, lambda one: solve(one, max_events=_MOST_EVENTS, **how)) for one in scenes]
+        times = [Times(*map(float, one)) for one in runs]
         found += zip(dampers.tolist(), times, strict=True)
         at = min(range(len(times)), key=lambda k: times[k].rest)
         dampers = np.geomspace(dampers[max(at - 1, 0)], dampers[min(at + 1, len(times) - 1)], _PARTS + 1)
@@ -185,7 +193,8 @@ def _first_at(run: Trajectory, level: Fraction) -> Number:
         _, v1, _, v2 = y = run.sol(t).tolist()
         return pair.energy(y, exact) - exact(level), -exact(pair.a1) * v1 * v1 - exact(pair.b) * abs(v1 - v2)
 
-    moments = [*zip(run.t.tolist(), run.energy - exact(level), strict=True)]
-    low = [moments[0][0], *(t for t, left in moments if left > 0)][-1]
-    high = next(t for t, left in moments if left < 0)
-    return falling_root(low, high, over)
+    with run.context():
+        moments = [*zip(run.t.tolist(), run.energy - exact(level), strict=True)]
+        low = [moments[0][0], *(t for t, left in moments if left > 0)][-1]
+        high = next(t for t, left in moments if left < 0)
+        return falling_root(low, high, over)

@@ -127,7 +127,7 @@ class Cells:
         (p, slope), (q, pull) = self.by_speed[cell[0]], self.by_place[cell[1]]
         least = p + q + min([pull * z for z in sides if z is not None], default=Fraction(0))
         if slope < 0:
-            return -least / slope if high is None or least + slope * high <= 0 else None
+            return -least / slope if high is None or least + slope * high < 0 else None
         return None if least + slope * low > 0 else low
 
     def behind(self, side: int, cell: tuple[int, int], kind: int) -> tuple[int, int]:

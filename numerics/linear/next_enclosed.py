@@ -113,7 +113,8 @@ def curves_of(path: EnclosedPath, at: At, guards: Sequence[Curve]) -> list[Curve
     Of a slip the ends of its intervals of |w| and of x1 - x2, and B + C > 0; of stick the load below b on either side.
     """
     flow, cells, side, number = path.flow(at), path.cells, at.mode, Ball.number
-    norm = at.norm * flow.norm.growth(flow.reach) if side else at.norm
+    reach = flow.reach.min(2 * path.left(at))  # a bracket may end behind the piece
+    norm = at.norm * flow.norm.growth(reach) if side else at.norm
     if side == 0:
         margin, nearer = path.margin(at), int(not guards[0].polynomial[0].mid() < guards[1].polynomial[0].mid())
         orders = [at.orders[0] * (which == nearer) for which in range(2)]
@@ -121,7 +122,7 @@ def curves_of(path: EnclosedPath, at: At, guards: Sequence[Curve]) -> list[Curve
             one._replace(margin=flow.apart[one.row][order] * norm if order else margin, order=order)
             for one, order in zip(guards, orders, strict=True)
         ]
-    place = at.place + path.kappa * norm * flow.reach
+    place = at.place + path.kappa * norm * reach
     ends, may_vanish = cells.guards(side, at.cell)
     found = []
     for kind, sign, offset in ends:

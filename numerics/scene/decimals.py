@@ -195,6 +195,6 @@ def shown(value: object) -> str:
     try:
         text = repr(value)
     except ValueError:  # an array that holds an int beyond Python's limit on decimal text
-        text = f"a {type(value).__name__}"
+        text = f"<long {type(value).__name__}>"
     text = " ".join(text.split())
     return text if len(text) <= 40 else f"{text[:36]}...{text[-1]}"  # with the quote, or bracket, that closes it

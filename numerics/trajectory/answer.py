@@ -19,7 +19,7 @@ from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.habits import Helpful
 from numerics.linear.modes import EventKind, event_kind, sticking
 from numerics.meter import meter
-from numerics.scene.decimals import listed, require_one_of, short
+from numerics.scene.decimals import listed, require_one_of, short, shown
 from numerics.scene.short_repr import html_table
 from numerics.trajectory import export, saved
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
@@ -224,9 +224,9 @@ class Answer(Helpful, Generic[M]):
         end, until = to_float(self.end_time), self.scene.until if self.reached else Fraction(0)
         exact: Any = to_float(t) if own else exact_time(t)
         if not 0 <= exact <= max(until, Fraction(end)):
-            shown = self.arithmetic.text(t) if own else str(t)[:40]
+            said = self.arithmetic.text(t) if own else shown(t).strip("'")
             raise ValueError(
-                f"t = {shown} s is outside the solved time [0, {end:g}] s; give one within it, or solve further"
+                f"t = {said} s is outside the solved time [0, {end:g}] s; give one within it, or solve further"
             )
         return t if own else self._begun.get(exact, self.arithmetic.number(exact))
 

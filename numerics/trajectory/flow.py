@@ -93,14 +93,15 @@ def enclosed(
 ) -> tuple[Number, ...]:
     """Return a function of a motion, from a state (m, m/s) at a time of the run (s), and of tau (s) since; in context.
 
-    It is computed with the bits that squarings may lose: a power of the time, as in the derivatives of a force of high
-    degree, may lose them as often as it is high.
+    It is computed with the bits that squarings may lose, or that small powers of the time need: as often as a power is
+    high, as in the derivatives of a force of high degree.
     """
     is_ball = arithmetic.name == "ball"
     bits = flint.ctx.prec if is_ball else mpmath.mp.prec + _SPARE_BITS
     with precision(bits):
         start, since = ([as_ball(one) for one in state], as_ball(begin)), as_ball(tau)
-        spare = 2 * mode.size * mode.squarings(since)
+        small = -magnitude_bits(since.abs_upper()) * (2 + max(mode.layout.terms))
+        spare = 2 * max(mode.size * mode.squarings(since), small)
     with precision(bits + spare):
         found = function(motion_in(mode, *start), since)
     return tuple(+one if is_ball else arithmetic.number(exact_middle(one)) for one in found)

@@ -42,7 +42,7 @@ def require_times(t_eval: Any, until: Fraction) -> None:
         times = np.array([float(one) if one <= 2 * last else math.inf for one in exact])
     for k in np.flatnonzero(~((times >= 0) & (times <= last)))[:1]:
         exact_time(listed[k], f"t_eval[{k}]")
-        outside = f"t_eval[{k}] = {str(listed[k])[:40]} s is outside the run, [0, {short(until)}] s"
+        outside = f"t_eval[{k}] = {shown(listed[k])} s is outside the run, [0, {short(until)}] s"
         raise ValueError(f"{outside}; give times within it, or a later until")
     for k in np.flatnonzero(np.diff(times) < 0)[:1] + 1:
         raise ValueError(f"t_eval[{k}] = {str(listed[k])[:40]} s comes after a later time; put the times in order")

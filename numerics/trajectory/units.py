@@ -21,6 +21,8 @@ def unit(name: str) -> str:
 
     >>> unit("a1"), unit("a2"), unit("sines[0].amplitude"), unit("belt[0].sines[0].omega")
     ('N s/m', 'N/m', 'N', 'rad/s')
+    >>> unit("weakening.last_slope"), unit("weakening.speed[0].w"), unit("weakening.place[0].c")
+    ('N s/m', 'm/s', 'N')
     >>> [unit(f"wall[1].polynomial[{order}]") for order in range(3)]
     ['m', 'm/s', 'm/s^2']
     >>> unit("v1 - v2"), unit("x1_at_t"), unit("m1 phi"), unit("load_x_radius"), unit("events")

@@ -196,3 +196,9 @@ def test_arrays_may_hold_pairs_without_spring_or_contact_and_the_ground():
     alone = solve_scenes([Scene(Pair(1, *one), State(v1=1), "1.5") for one in ((1, 0, 1), ("inf", 0, 1), (2, 200, 0))])
     assert (found.y == alone.y).all()
     assert found.success.all()
+
+
+def test_the_bound_of_what_was_taken_is_that_of_a_run():
+    scene = load_scene("velocities")
+    said = float(solve_scenes([scene]).dissipated_error[0])
+    assert solve(scene).accuracy.dissipated == pytest.approx(said, rel=1e-6, abs=0)

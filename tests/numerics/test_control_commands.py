@@ -57,6 +57,7 @@ track at-rest --reference too-fast | TOO MUCH by 0.0773502691896258 N (+/- 5.74E
 move at-rest --distance 0.001 --amplitude 1.08 | slips of about 10^-20 m
 move at-rest --distance 0.01 | at its limit: to within 10^-18
 move at-rest --distance 0.01 --margin 0.2 | no force that keeps the margin is faster
+move at-rest --distance 0.01 --least energy --time 0.3 | has less int u^2 dt than = 0.295046099130115215 N^2 s, within
 move at-rest --distance 0.001 --least energy --time 0.2 | # friction is below its limit
 ring velocities --radius 0.001 | stays inside the ring from t = 4.755641299
 """

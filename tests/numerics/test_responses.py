@@ -119,3 +119,9 @@ def test_a_motion_that_attracts_is_the_only_one_and_drifts_only_under_a_force_th
 
 def test_the_last_piece_and_the_last_friction_decide():
     assert response(SCENES["the-last-piece-decides"]).drive == answer(DAMPED, "0.5").drive
+
+
+def test_a_stick_before_the_first_slip_of_a_period_counts():
+    orbit = response(SCENES["a-force-that-is-not-odd"].replace(a1=0), digits=8).orbit
+    assert [leg.side for leg in orbit.legs] == [1, -1, 0]
+    assert "a slip after a stick phase does not last" in attraction_of(orbit, (acb(0, 1), acb(0)))

@@ -11,6 +11,7 @@ from scene_files import scenes_in
 
 from numerics import (
     Force,
+    Friction,
     NotSettled,
     Pair,
     Scene,
@@ -182,3 +183,9 @@ def test_a_creeping_pair_stays_within_what_is_said(share):
     states = (run.sol(begin + (end - begin) * Fraction(part, 100)) for part in range(1, 100))
     fastest = max(abs(float(v1 - v2)) for _, v1, _, v2 in states)
     assert float(found.speed) / 8 < fastest <= float(found.speed)
+
+
+def test_friction_that_holds_for_a_moment_counts_also_where_the_motion_is_back_within_the_period():
+    own = Scene(Pair(1, 1, 100, "0.3", 20), State(), 120, force=Force.sine(160, "0.5"))
+    held = own.replace(friction=Friction([(61, 100), ("61.5", "0.3")]))
+    assert ring_entry(held, "0.05", digits=6).entry > 61

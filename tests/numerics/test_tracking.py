@@ -3,6 +3,7 @@
 from fractions import Fraction
 from pathlib import Path
 
+import numpy as np
 import pytest
 from control_scenes import DAMPED, FREE, referred
 from flint import arb
@@ -11,7 +12,7 @@ from numerics import Friction, Pair, Piece, Scene, Sine, State
 from numerics.arithmetic.ball import Ball
 from numerics.control.tracking import track
 from numerics.scene.file import load_reference
-from numerics.scene.largest import over
+from numerics.scene.largest import largest_size, over
 
 REFERENCES = {path.stem: load_reference(path) for path in (Path(__file__).parents[1] / "references").glob("*.toml")}
 
@@ -74,12 +75,25 @@ def test_the_limit_itself_can_be_followed_and_no_more(row):
 
 
 @pytest.mark.parametrize(
-    ("pair", "amplitude", "error", "sticks"),
-    [(FREE, "0.5", 0, True), (DAMPED, "0.4", 4.8e-59, True), (DAMPED, "0.5", 6e-59, False)],
+    ("pair", "amplitude", "omega", "error", "sticks"),
+    [
+        (FREE, "0.5", 1, 0, True),
+        (DAMPED, "0.4", 1, 4.8e-59, True),
+        (DAMPED, "0.5", 1, 6e-59, False),
+        (DAMPED, "0.1", 2, 2.4e-59, True),
+    ],
 )
 def test_rounded_phases_of_a_damped_pair_change_the_force_and_may_let_it_slip_at_the_limit(
-    pair, amplitude, error, sticks
+    pair, amplitude, omega, error, sticks
 ):
     """By at most a1 omega A until 10^-59, N s."""
-    found = track(Scene(pair, State(), 4), (Piece(0, [0, f"-{amplitude}"], [Sine(amplitude, 1)]),))
+    found = track(Scene(pair, State(), 4), (Piece(0, [0, -omega * Fraction(amplitude)], [Sine(amplitude, omega)]),))
     assert (found.force_error, found.sticks) == (pytest.approx(error, rel=1e-9, abs=0), sticks)
+
+
+def test_the_largest_size_is_seen_where_a_function_is_flat_in_the_middle_of_a_part():
+    """t (1 - t) (4t - 1)^3 (4t - 3)^3: f, f' and f'' are 0 at both quarters, f is 0 at both ends."""
+    t = np.polynomial.Polynomial([0, 1])
+    terms = (t * (1 - t) * (4 * t - 1) ** 3 * (4 * t - 3) ** 3).coef
+    f = over(Piece(0, [round(c) for c in terms]))
+    assert largest_size(f, arb(0), arb(1), 6)[0] >= abs(f(arb("0.05")))

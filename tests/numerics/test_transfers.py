@@ -28,6 +28,7 @@ free   0.001  amplitude=1.08 | SLIP  | no force is faster: friction is at its li
 damped 0.001  amplitude=1.12 | SLIP  | no force is faster: friction is at its limit
 free   -0.001 amplitude=0.5  | BANG_BANG | none can make the bodies slip
 free   0.0005 amplitude=0.8  | BANG_BANG | no force within the amplitude is faster: none can make the bodies slip
+free   0.0005 amplitude=0.8 margin=0.2 | OPEN | at the margin needs 0.850000 N
 free   0.0005 amplitude=0.85 | BANG_BANG | no force under which the bodies stick is faster; whether slip helps
 free   0.0005 amplitude=0.3 margin=0.2 | BANG_BANG | none can make the bodies slip
 free   0.01   amplitude=1.5  | OPEN | whether a slip arrives at the bound with less is open

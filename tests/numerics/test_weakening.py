@@ -19,7 +19,9 @@ from numerics import (
     Weakening,
     solve,
 )
+from numerics.linear.cells import cells_of
 from numerics.linear.enclosed import EnclosedRun
+from numerics.linear.pieces import pieces_of
 from numerics.trajectory.curve import sampled
 
 SCENES, BALLS = scenes_in("weakened"), scenes_in("followed-in-balls")
@@ -80,3 +82,11 @@ def test_float64_follows_them_as_balls_do(scene):
     assert (run.arithmetic.name, run.tried) == ("float64", "")
     assert run.right_digits > 8
     assert run.check().right
+
+
+def test_the_steepest_fall_and_pull_are_those_at_any_time():
+    table = Weakening([("0.1", "0.3")], "0.1", [(0, 0), (1, "0.1")])
+    scene = PAPER.replace(friction=Friction([(1, 2)], table))
+    cells = cells_of(scene)
+    found = [cells.branch(piece, 1, cell) for piece in pieces_of(scene) for _, cell in cells.all]
+    assert (cells.falling, cells.pulling) == (-min(x.slope for x in found), max(abs(x.pull) for x in found))
