@@ -16,7 +16,6 @@ from numerics.scene.decimals import require_one_of
 from numerics.scene.short_repr import html_table
 from numerics.solver.inputs import varying
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
-from numerics.trajectory.digits import FEW_DIGITS
 from numerics.trajectory.status import Status
 from numerics.trajectory.units import unit
 
@@ -146,7 +145,7 @@ class Batch(Helpful):
         ends = ", ".join(f"{np.sum(self.status == one)} {one.name}" for one in Status if np.any(self.status == one))
         ended = f": {ends}; {int(np.sum(self.events))} events" if len(self) else ""
         failed = np.argwhere(~self.success)
-        failed = failed if len(failed) else np.argwhere(self.digits <= FEW_DIGITS)
+        failed = failed if len(failed) else np.argwhere(np.char.count(self.message.astype(str), "right digits"))
         which = ", ".join(map(str, failed[:5].tolist())) + ", ..." * (len(failed) > 5)
         first = f"; {f'scene {which}: ' * bool(self.shape)}{self.message[*failed[0]]}" if len(failed) else ""
         return f"{type(self).__name__} of {len(self)} scenes, shape {self.shape}{ended}{first}"

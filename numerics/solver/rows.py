@@ -124,7 +124,8 @@ class Work(NamedTuple):
         """Return the arrays of a batch by their names, from the rows of first events and of ends."""
         shape = self.shape
         how = ends[:, AT["how"]].astype(np.int64).reshape(shape)
-        out, (m1, m2, a2, b, *_, until, _) = how == How.OUT_OF_RANGE, (one.reshape(shape) for one in self.numbers.T)
+        out, given = how == How.OUT_OF_RANGE, (one.reshape(shape) for one in self.numbers.T)
+        m1, m2, a2, b, _, v1_begun, _, v2_begun, until, _ = given
 
         def end(*names: str) -> Floats:
             return np.where(out, np.nan, ends.T[[AT[name] for name in names]].reshape(len(names), *shape))
@@ -144,7 +145,8 @@ class Work(NamedTuple):
         status = np.where((how < How.EVENT_LIMIT) & (digits == 0), int(Status.NO_RIGHT_DIGIT), how)
         status = np.where(how == How.DOUBT, int(Status.SEQUENCE_OPEN), status)
         message, t = np.array(_SENTENCES[status], dtype=object), event("local")[0]
-        few = (status <= Status.STUCK_FOR_EVER) & (digits <= FEW_DIGITS)
+        moves = np.abs([v1_begun, v2_begun, *y[1::2]]).max(axis=0) > 0  # of velocities that are 0 few digits count
+        few = (status <= Status.STUCK_FOR_EVER) & (digits <= FEW_DIGITS) & moves
         message[few] = [
             f"{one}; right digits: only {n}; use solve(scene, digits=N)"
             for one, n in zip(message[few], digits[few], strict=True)
