@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
+from contextlib import closing
 from typing import TypeVar
+from warnings import catch_warnings
 
 from numerics.errors import MissingTool
 
@@ -30,16 +32,23 @@ def run_tasks(
 
     `progress` takes how many are done, and of how many. Raises MissingTool if joblib (jobs > 1) is not installed.
     """
-    for done, result in enumerate(_in_processes(function, tasks, jobs) if jobs > 1 else map(function, tasks), start=1):
-        yield result
-        if progress is not None:
-            progress(done, len(tasks))
+    here = (function(task) for task in tasks)
+    with closing(_in_processes(function, tasks, jobs) if jobs > 1 else here) as results:
+        for done, result in enumerate(results, start=1):
+            yield result
+            if progress is not None:
+                progress(done, len(tasks))
 
 
-def _in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
+def _in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Generator[Result]:
     try:
         from joblib import Parallel, delayed
     except ImportError:
         raise MissingTool("more than one job needs joblib: pip install 'inertial-pair[parallel]'") from None
-    workers = Parallel(n_jobs=jobs, return_as="generator", batch_size=1)
-    yield from workers(delayed(function)(task) for task in tasks)
+    found = Parallel(n_jobs=jobs, return_as="generator", batch_size=1)(delayed(function)(task) for task in tasks)
+    try:
+        for result in found:  # noqa: UP028 - `yield from` would close it, which warns of what nobody took
+            yield result
+    finally:
+        with catch_warnings(action="ignore"):
+            found.close()
