@@ -63,7 +63,7 @@ class Damping(ShortRepr):
 
     `own`: with the damper of the scene; `heavy`: the limits as a1 grows. `best`: of the dampers that were tried the one
     with the least time to rest, N s/m, and `at_best`; both None where none is before the limit. That no other damper is
-    better is not proved. `sampled`: (a1, (stuck, rest)) of what was tried, in float64.
+    better is not proved. `sampled`: (a1, (stuck, rest)) of what was tried, as floats.
 
     >>> from numerics import load_scene
     >>> found = damping(load_scene("start-at-6mm"), "0.0001", digits=6)
@@ -145,7 +145,7 @@ def _sampled(scene: Scene, level: Fraction) -> list[tuple[float, Times]]:
     They come from float64, or from balls where the tolerance is below what rounding leaves of positions.
     """
     found: list[tuple[float, Times]] = []
-    smaller = len(str(int(scene.energy / level))) // 2  # decimals by which the tolerance is below the largest |x1|
+    smaller = int(scene.energy / level).bit_length() // 6  # decimals by which the tolerance may be below |x1|
     how: dict[str, Any] = {"arithmetic": "ball", "digits": 30 + smaller} if smaller > _MOST_DECIMALS else {}
     critical = 2 * math.sqrt(scene.pair.a2 * scene.pair.mass)
     dampers = critical * np.logspace(-_OCTAVES, _OCTAVES, 2 * _OCTAVES * _PER_OCTAVE + 1, base=2)

@@ -45,4 +45,4 @@ def require_times(t_eval: Any, until: Fraction) -> None:
         outside = f"t_eval[{k}] = {shown(listed[k])} s is outside the run, [0, {short(until)}] s"
         raise ValueError(f"{outside}; give times within it, or a later until")
     for k in np.flatnonzero(np.diff(times) < 0)[:1] + 1:
-        raise ValueError(f"t_eval[{k}] = {str(listed[k])[:40]} s comes after a later time; put the times in order")
+        raise ValueError(f"t_eval[{k}] = {shown(listed[k])} s comes after a later time; put the times in order")

@@ -114,6 +114,12 @@ def test_next_to_the_best_damper_rest_takes_longer(searched):
     assert draw_damping(found).axes[0].get_legend()
 
 
+def test_what_was_tried_is_right_however_small_the_tolerance_is():
+    """In float64 the tolerance was below its rounding: what was best was not."""
+    for a1, tried in damping(FIGURE.replace(a1=20), "1e-20", digits=6).sampled:
+        assert [*tried] == pytest.approx([*map(float, own(FIGURE.replace(a1=a1), "1e-20"))], rel=1e-5)
+
+
 def test_too_many_slips_are_said(monkeypatch):
     monkeypatch.setattr(dampers, "_MOST_EVENTS", 20)
     with pytest.raises(NotSettled, match=r"after 20 events at t = .* a larger damper"):

@@ -51,6 +51,13 @@ def everything(scene, how):
     return json.dumps([run.kept(), plain(numbers)])
 
 
+def test_tasks_may_be_left():
+    """Without a warning of those that nobody took."""
+    found = run_tasks(divmod_of, [(1, 1)] * 9, jobs=2)
+    next(found)
+    found.close()
+
+
 def in_threads(works, seconds=SECONDS):
     """Return what functions return, each in a thread of its own; all begin at once."""
     found, begin = {}, threading.Barrier(len(works))
