@@ -197,9 +197,12 @@ class Ball(Arithmetic):
     name = "ball"
     to_float = staticmethod(as_float)
 
-    def __init__(self, digits: int) -> None:
-        """Fix the working precision in decimal digits."""
-        self.digits = digits
+    def __init__(self, digits: int, radius: arb | int = 0) -> None:
+        """Fix the working precision in decimal digits.
+
+        With a `radius` (m and m/s) the engine (enclosed.py) follows at once all motions that start within it.
+        """
+        self.digits, self.radius = digits, arb(radius)
         self.bits = math.ceil(digits * BITS_PER_DIGIT) + GUARD_BITS
 
     def context(self) -> AbstractContextManager[None]:

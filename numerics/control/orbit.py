@@ -114,19 +114,6 @@ class Orbit(ShortRepr):
         return found[0]
 
 
-class Box(Ball):
-    """Balls to which an exact number is known within a radius: a run in them holds for a whole box of starts."""
-
-    def __init__(self, digits: int, radius: arb) -> None:
-        """Fix precision and radius, the same in m and in m/s."""
-        super().__init__(digits)
-        self.radius = radius
-
-    def number(self, value: Fraction | int) -> arb:  # type: ignore[override]
-        """Return a ball of that radius about an exact rational."""
-        return Ball.number(value) + arb(0, self.radius)
-
-
 def follow(
     drive: PeriodicDrive, begin: Fraction, start: Sequence[Fraction], most: int, radius: arb | int = 0
 ) -> tuple[list[Leg], Trajectory]:
@@ -135,7 +122,7 @@ def follow(
     From v1 = v2 these are stuck ones. Raises EventUndecided, NotSettled if there are more than `most` events.
     """
     scene = drive.one_period(begin, start, working_digits())
-    run = run_scene(scene, Box(working_digits(), arb(radius)), most + 1)
+    run = run_scene(scene, Ball(working_digits(), radius), most + 1)
     if len(run.events) > most:
         raise NotSettled(
             f"a period of {float(drive.period):.4g} s has more than {most} events, a fifth of max_events; raise "

@@ -67,7 +67,7 @@ class EnclosedRun(EnclosedPath):
     def rows(self) -> Iterator[Knot | None]:
         """Follow the modes up to the horizon; yield every row, None before one that a root begins, the end last."""
         knots = exact_knots(self.scene, self.pieces)
-        if not self.arithmetic.number(0).is_zero():  # a box of starts: what is known of its middle is not of all
+        if self.arithmetic.radius > 0:  # what is known of one start is not of all
             knots = [knots[0]._replace(quiet=knots[0].local)]
         for knot in knots:
             at = self.begin(knot)
@@ -265,25 +265,26 @@ class EnclosedRun(EnclosedPath):
 
     # ------------------------------------------------------------------ record
     def begin(self, knot: ExactKnot) -> At:
-        """Return an exact knot as a point; the motion starts within its rounding."""
+        """Return an exact knot as a point; the motion starts within its rounding, or within the radius of all starts."""
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
         at = At(knot.mode, knot.orders, knot.piece, local, state, zero, zero, zero, zero, knot.cell)
         x1, v1 = (knot.state[place].rational for place in (X1, V1))
-        if knot.mode and self.is_closed(at) and x1 is not None and v1 is not None:
+        if self.arithmetic.radius > 0:
+            self.interval(at, state)  # the same one for all starts
+        elif knot.mode == 0 and self.varies:
+            at = at._replace(apart=(knot.state[X1] - knot.state[X2]).rational)
+        elif knot.mode and self.is_closed(at) and x1 is not None and v1 is not None:
             at = self.on_circle(at, x1 - polynomial_at(self.bearing(at), knot.local), v1)
-        if self.varies:
-            at = at._replace(apart=None if knot.mode else (knot.state[X1] - knot.state[X2]).rational)
-            if knot.mode and not self.arithmetic.number(0).is_zero():  # a box of starts
-                self.interval(at, state)
         start = local.lower()
         if knot.local:  # a time that is rounded, by as much before the knot
             state = Motion(*self.here(at)).state(start - local)
         return self.settled(at, state, zero)._replace(local=start)
 
     def exactly(self, knot: ExactKnot) -> list[arb]:
-        """Return the state of an exact knot in balls."""
-        bits, number = 4 * self.arithmetic.digits + 64, self.arithmetic.number
-        return [one.enclosed(bits) if one.parts else number(one.constant) for one in knot.state]
+        """Return the state of an exact knot in balls, which hold all that start within the radius."""
+        bits, number, radius = 4 * self.arithmetic.digits + 64, self.arithmetic.number, self.arithmetic.radius
+        found = [one.enclosed(bits) if one.parts else number(one.constant) for one in knot.state]
+        return [widened(one, radius) for one in found] if radius > 0 else found
 
     def fixed(self, at: At) -> list[arb]:
         """Return the state of the true motion at the time of a point."""

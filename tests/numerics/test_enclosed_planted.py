@@ -11,7 +11,6 @@ from sixty_digits import forced_scene
 
 from numerics import EventUndecided, Pair, Piece, Sine
 from numerics.arithmetic.ball import Ball
-from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
 from numerics.linear.enclosed import EnclosedRun
 from numerics.linear.flow import FEW, Curve, Flow, Motion
@@ -101,7 +100,7 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
 
 
 def boxed(scene, radius):
-    return run(scene, arithmetic=lambda digits: Box(digits, Ball.number(Fraction(radius))))
+    return run(scene, arithmetic=lambda digits: Ball(digits, Ball.number(Fraction(radius))))
 
 
 def test_a_stick_whose_load_may_come_up_to_b_later_is_not_for_ever_for_a_box():

@@ -32,9 +32,8 @@ from numerics import (
     solve,
     solve_many,
 )
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball import Ball, widened
 from numerics.arithmetic.compiled import can_compile, compiled
-from numerics.control.orbit import Box
 from numerics.free.motion import run_free
 from numerics.linear.enclosed import run_enclosed
 from numerics.linear.errors_of import errors_of
@@ -112,10 +111,18 @@ def of_floats(scene: Scene, found: Any) -> Numbers:
     return [*found.rows[:EVENTS, BOUNDS].ravel(), *found.end[ENDS], *read[:2], max(read[2])]
 
 
+class Widened(Ball):
+    """Balls in which every exact number is known within the radius."""
+
+    def number(self, value: Any) -> Any:  # type: ignore[override]
+        return widened(Ball.number(value), self.radius)
+
+
 def in_balls(scene: Scene, engine: Any, size: float) -> Any:
-    size = size if engine is run_enclosed else min(size, 1e-8)  # what is larger it refuses here and there
+    # what is larger the free engine refuses here and there
+    of, size = (Ball, size) if engine is run_enclosed else (Widened, min(size, 1e-8))
     try:
-        return Trajectory(scene, BALLS, engine(scene, Box(BALLS.digits, Ball.number(Fraction(size))), EVENTS))
+        return Trajectory(scene, BALLS, engine(scene, of(BALLS.digits, Ball.number(Fraction(size))), EVENTS))
     except (NumericsError, ArithmeticError, ValueError):  # a large box holds what is no scene
         return None
 
