@@ -50,7 +50,7 @@ class Arc(NamedTuple):
     side: int
 
 
-class Part(NamedTuple):
+class ArcPart(NamedTuple):
     """An arc or some of it: u/M and w (m/s^2) by the time since its start (s)."""
 
     start: arb
@@ -59,12 +59,12 @@ class Part(NamedTuple):
     arc: Arc
 
 
-class Motion(NamedTuple):
+class DrivenMotion(NamedTuple):
     """The motion from rest with given q(0) and r(0): its parts, (x, v, q, r) at T, the largest |a| without limit."""
 
     q: arb
     r: arb
-    parts: list[Part]
+    parts: list[ArcPart]
     end: list[arb]
     largest: arb
 
@@ -102,12 +102,12 @@ class LeastEnergy:
         u = [self.k, self.c, 0, 0, 0, arc.side] if arc.side else [0, 0, -1, 0, 0, 0]
         return u, u
 
-    def cost(self, found: Motion) -> arb:
+    def cost(self, found: DrivenMotion) -> arb:
         """Return what a force has least of, N^2 s or N."""
         squares = ((part.w * part.w).integral()(number(length)) for _, length, part in self.lengths(found))
         return self.mass**2 * sum(squares, arb(0))
 
-    def from_below(self, gain: arb, found: Motion) -> arb:
+    def from_below(self, gain: arb, found: DrivenMotion) -> arb:
         """Return what no cost is below, from a lower bound of mu D + int rho a."""
         return self.mass**2 * 2 * gain - self.cost(found)
 
@@ -126,9 +126,9 @@ class LeastEnergy:
         """Return P."""
         return (q * q + r * r / self.k).sqrt().mid()
 
-    def follow(self, q: arb, r: arb, limit: arb) -> Motion:
+    def follow(self, q: arb, r: arb, limit: arb) -> DrivenMotion:
         """Return the motion whose acceleration is cut off at a limit. Raises NotSettled."""
-        start, parts, largest, size = arb(0), list[Part](), arb(0), self.size(q, r)
+        start, parts, largest, size = arb(0), list[ArcPart](), arb(0), self.size(q, r)
         z, shortest = arb_mat([[one] for one in (0, 0, q, r, size, limit)]), number(self.until * LITTLE**2)
         arc, _ = self.arc(z)
         while (left := (self.T - start).mid()) > shortest:
@@ -147,11 +147,11 @@ class LeastEnergy:
                     high, then = self.change(arc, then, columns, low, high)
                     break
             u, w = (_dot(row, columns) for row in (of_u, of_w))
-            parts.append(Part(start, u, arb_poly([one.mid() for one in w.coeffs()]), arc))
+            parts.append(ArcPart(start, u, arb_poly([one.mid() for one in w.coeffs()]), arc))
             z, start, arc = ((A * high).exp() * z).mid(), (start + high).mid(), then
             if len(parts) > _MOST_PARTS:
                 raise self.not_found
-        return Motion(q, r, parts, z.transpose().tolist()[0][:4], largest)
+        return DrivenMotion(q, r, parts, z.transpose().tolist()[0][:4], largest)
 
     def change(self, arc: Arc, then: Arc, columns: list[arb_poly], low: arb, high: arb) -> tuple[arb, Arc]:
         """Return the first time between two at which an arc ends, about, and the arc that follows."""
@@ -167,7 +167,7 @@ class LeastEnergy:
             t = (t - f(t) / slope(t)).mid().max(low).min(high)
         return t, then
 
-    def arrive(self, q: arb, r: arb, limit: arb) -> Motion:
+    def arrive(self, q: arb, r: arb, limit: arb) -> DrivenMotion:
         """Return the motion that arrives, by Newton's method from q(0), r(0) near its own. Raises NotSettled."""
         least = arb.pos_inf()
         for _ in range(_NEWTON):
@@ -189,7 +189,7 @@ class LeastEnergy:
             q, r = (q + more[0, 0]).mid(), (r + more[1, 0]).mid()
         raise self.not_found
 
-    def force(self) -> Motion:
+    def force(self) -> DrivenMotion:
         """Return the motion that arrives within the limit: this comes down, in shorter steps where one fails."""
         found = self.arrive(*self.start(), _NO_LIMIT)
         limit, share = found.largest, arb("0.7")
@@ -204,7 +204,7 @@ class LeastEnergy:
                     raise
         return found
 
-    def bound(self, found: Motion) -> tuple[arb, arb]:
+    def bound(self, found: DrivenMotion) -> tuple[arb, arb]:
         """Return the cost of a force, and the least that any under which the bodies stick can have.
 
         The bound holds whatever the force is.
@@ -218,13 +218,13 @@ class LeastEnergy:
             lost, once, twice = lost + self.total(rho, -part.arc.side, length), S(0), R(0)
         return self.cost(found), self.from_below(mu * self.far - number(self.most) * lost, found)
 
-    def lengths(self, found: Motion) -> Iterator[tuple[Fraction, Fraction, Part]]:
+    def lengths(self, found: DrivenMotion) -> Iterator[tuple[Fraction, Fraction, ArcPart]]:
         """Yield when each part begins and how long it lasts, s, and the part."""
         starts = [rounded(one.start, working_digits()) for one in found.parts]
         for start, end, part in zip(starts, [*starts[1:], self.until], found.parts, strict=True):
             yield start, end - start, part
 
-    def pieces(self, found: Motion) -> list[Piece]:
+    def pieces(self, found: DrivenMotion) -> list[Piece]:
         """Return the force, N, in decimals of all working digits: the cost is that of these."""
         digits = working_digits()
         return [
@@ -260,11 +260,11 @@ class LeastPeak(LeastEnergy):
         found = search.arrive(*search.start(), _NO_LIMIT)
         return found.q, found.r
 
-    def force(self) -> Motion:
+    def force(self) -> DrivenMotion:
         """Return the motion that waits, where more time brings nothing; else the one that is searched for."""
         return self.waiting() or super().force()
 
-    def waiting(self) -> Motion | None:
+    def waiting(self) -> DrivenMotion | None:
         """Return a motion whose peak its end alone needs, after a wait; None where T or D is too small for this one.
 
         It accelerates by beta, keeps u/M = P if it gets there, brakes by beta until u/M has risen to P once more, where
@@ -286,13 +286,13 @@ class LeastPeak(LeastEnergy):
         start, nothing = (self.T - sum((time for time, *_ in arcs), arb(0))).mid(), arb_poly([])
         if not start >= 0:
             return None
-        parts = [Part(arb(0), nothing, nothing, Arc(1, 0))]
+        parts = [ArcPart(arb(0), nothing, nothing, Arc(1, 0))]
         for time, u, side in arcs:
             if time > 0:
-                parts.append(Part(start, arb_poly(u), nothing, Arc(1, side)))
+                parts.append(ArcPart(start, arb_poly(u), nothing, Arc(1, side)))
             start = (start + time).mid()
         # q and r of the size P; nu = mu = 0: its bound is `least_at_end`
-        return Motion(peak, arb(0), parts, [self.far, arb(0), arb(0), arb(0)], beta)
+        return DrivenMotion(peak, arb(0), parts, [self.far, arb(0), arb(0), arb(0)], beta)
 
     def arc_at(self, peak: arb, fast: arb, turn: arb) -> tuple[arb, arb, arb] | None:
         """Return how long u/M = P is kept after a speed is reached, and x and v then: v^2 + 2 beta x = 2 turn.
@@ -336,7 +336,7 @@ class LeastPeak(LeastEnergy):
             return [self.k, self.c, 0, 0, 0, arc.side], [0] * 6
         return [0, 0, 0, 0, arc.sign, 0], [0, 0, -1, 0, 0, 0]
 
-    def cost(self, found: Motion) -> arb:
+    def cost(self, found: DrivenMotion) -> arb:
         """Return M P. Raises NotSettled where u is above it at the limit, but for the rounding of its decimals."""
         peak = self.size(found.q, found.r)
         high = peak * (1 + arb(10) ** (_ROUNDED - working_digits()))
@@ -345,7 +345,7 @@ class LeastPeak(LeastEnergy):
                 self.require_never_negative(high - u, length)
         return self.mass * peak
 
-    def from_below(self, gain: arb, found: Motion) -> arb:
+    def from_below(self, gain: arb, found: DrivenMotion) -> arb:
         """Return gain/int |w|; of a motion that waits, what the end alone needs."""
         parts = [(part.w, 0 if part.arc.side else part.arc.sign, length) for _, length, part in self.lengths(found)]
         weight = sum((self.total(*one) for one in parts), arb(0))

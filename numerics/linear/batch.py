@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from numerics.arithmetic.compiled import compiled
 from numerics.linear.kernel import OUT_OF_RANGE, Log, follow_all
 from numerics.linear.ledger import ledger
-from numerics.linear.model import Bodies, Layout, Rows, make_rows, norm_of, put_rows
+from numerics.linear.model import Bodies, Layout, ModeRows, make_rows, norm_of, put_rows
 from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN, factors_of, finish
 from numerics.linear.room import Drive, Problems, space_for
 from numerics.linear.table import Tables, form, make_tables, most_terms, put_matrices
@@ -103,11 +103,11 @@ class Columns:
         chosen, n = np.searchsorted(self.kinds, np.arange(first, last + 1)), self.layout.size
         omegas = np.zeros((n, len(chosen)))
         omegas[n + 1 - 2 * self.omegas.shape[1] :: 2] = self.omegas[chosen].T
-        rows = Rows(*(np.zeros((*one.shape, len(chosen))) for one in make_rows(n)))
+        rows = ModeRows(*(np.zeros((*one.shape, len(chosen))) for one in make_rows(n)))
         with np.errstate(all="ignore"):
             put_rows(Bodies(*(one[chosen] for one in self.bodies)), self.layout.blocks, omegas, (0.0, 0.0, 1.0), rows)
         tables = make_tables(len(chosen), n, most_terms(self.layout.terms[0]))
-        put_matrices(tables, slice(None), self.layout, Rows(*(np.moveaxis(one, -1, 0) for one in rows)))
+        put_matrices(tables, slice(None), self.layout, ModeRows(*(np.moveaxis(one, -1, 0) for one in rows)))
         compiled(form)(tables, self.norms[chosen], self.longest[chosen], _ROUNDINGS)
         if first == last:  # else no other chunk has them all
             self._made = first, tables

@@ -265,7 +265,7 @@ class EnclosedRun(EnclosedPath):
 
     # ------------------------------------------------------------------ record
     def begin(self, knot: ExactKnot) -> At:
-        """Return an exact knot as a point; the motion starts within its rounding, or within the radius of all starts."""
+        """Return an exact knot as a point; the motion starts within its rounding, or the radius of a box."""
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
         at = At(knot.mode, knot.orders, knot.piece, local, state, zero, zero, zero, zero, knot.cell)
         x1, v1 = (knot.state[place].rational for place in (X1, V1))

@@ -124,7 +124,7 @@ def _blocks(terms: tuple[int, ...], waves: tuple[int, ...]) -> np.ndarray[Any, n
     return np.array([first, terms, sines, waves], dtype=np.int64).T.copy()
 
 
-class Rows(NamedTuple):
+class ModeRows(NamedTuple):
     """A scene's matrices on one kind of piece, exact or in floats; of a slip those of slip +."""
 
     A: Any
@@ -141,9 +141,9 @@ TAKEN = ("friction", "viscous", "force", "force_2", "belt", "wall")
 """What friction and damper take, and what forces, belt and wall give (W); E' is the sum of these less that of those."""
 
 
-def make_rows(n: int) -> Rows:
+def make_rows(n: int) -> ModeRows:
     """Return room for the matrices of n components, in floats."""
-    return Rows(np.zeros((2, n, n)), np.zeros((2, 2, n)), np.zeros((4, n)), np.zeros((2, 6, 2, n)))
+    return ModeRows(np.zeros((2, n, n)), np.zeros((2, 2, n)), np.zeros((4, n)), np.zeros((2, 6, 2, n)))
 
 
 def add_signal(row: Any, block: Any, factor: Any) -> None:
@@ -154,7 +154,7 @@ def add_signal(row: Any, block: Any, factor: Any) -> None:
         row[block[2] + 2 * k] += factor
 
 
-def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, ...], rows: Rows) -> None:
+def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, ...], rows: ModeRows) -> None:
     """Write the matrices of a pair, in the numbers of `bodies`; omegas (n,): that of a sine stands at its cosine.
 
     Several pairs of one layout may stand along a last axis of all these.
@@ -214,12 +214,12 @@ CONSTANT = Cell(Fraction(0), Fraction(0), Fraction(1))
 
 
 @lru_cache(maxsize=256)
-def exact_rows(pair: Pair, layout: Layout, cell: Cell = CONSTANT) -> Rows:
+def exact_rows(pair: Pair, layout: Layout, cell: Cell = CONSTANT) -> ModeRows:
     """Return the exact matrices of a pair, arrays of Fraction and 0; `cell` as in `put_rows`."""
-    rows = Rows(*(np.full(one.shape, fmpq(0)) for one in make_rows(layout.size)))
+    rows = ModeRows(*(np.full(one.shape, fmpq(0)) for one in make_rows(layout.size)))
     bodies, omegas = Bodies(*map(_ratio, Bodies.of(pair))), np.array([*map(_ratio, spread_omegas(layout))])
     put_rows(bodies, layout.blocks, omegas, tuple(map(_ratio, cell)), rows)
-    return Rows(*map(_fractions, rows))
+    return ModeRows(*map(_fractions, rows))
 
 
 _fractions = np.frompyfunc(lambda x: Fraction(int(x.p), int(x.q)) if x else 0, 1, 1)

@@ -38,8 +38,8 @@ from numerics.linear.model import (
     Bodies,
     Cell,
     Layout,
+    ModeRows,
     Norm,
-    Rows,
     exact_rows,
     make_rows,
     norm_of,
@@ -246,7 +246,7 @@ def _tables(pair: Pair, norm: Norm, kinds: tuple[Kind, ...], units: KernelUnits,
     return tables
 
 
-def _in_units(rows: Rows, layout: Layout, units: KernelUnits) -> Rows:
+def _in_units(rows: ModeRows, layout: Layout, units: KernelUnits) -> ModeRows:
     """Return exact matrices as floats in units of powers of 2."""
     force, speed, size = units.of(mass=1, length=1, time=-2), units.of(length=1, time=-1), layout.size
     z = np.zeros(size, dtype=int)

@@ -30,7 +30,7 @@ from numerics.linear.model import (
     Bodies,
     Cell,
     Layout,
-    Rows,
+    ModeRows,
     add_signal,
     exact_rows,
 )
@@ -104,7 +104,7 @@ class LinearMode(ShortRepr):
         return self.piece.layout
 
     @property
-    def rows(self) -> Rows:
+    def rows(self) -> ModeRows:
         """Return the exact matrices of both modes."""
         return exact_rows(self.pair, self.layout, self.cell)
 

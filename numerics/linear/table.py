@@ -16,7 +16,7 @@ import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, put, quotient, two_product
-from numerics.linear.model import FIRST, FRICTION, STICK, V1, V2, X1, X2, Layout, Rows
+from numerics.linear.model import FIRST, FRICTION, STICK, V1, V2, X1, X2, Layout, ModeRows
 
 UNIT = 2.0**-53
 """A rounding of float64."""
@@ -56,7 +56,7 @@ class Tables(NamedTuple):
     and v2; FLOW (4) the state at the end of a step; OWN (3, 3) what rounding and truncation do to the state in N, of x1
     and of x2, by a whole step and by a part of it, the latter at the start and at the end; SUMS (2, ORDERS, 2) what
     they do to a guard without its first p coefficients, in roundings: at the start of a step, and at its end; POWERS
-    (6, 2) what is taken and given, as products of two rows (model.Rows)."""
+    (6, 2) what is taken and given, as products of two rows (model.ModeRows)."""
     rows: Any
     """(kinds, 2, 6, n, terms): the coefficients of x1, v1, x2, v2 and the guards in (t/h)^k by components of z."""
     degrees: Any
@@ -83,7 +83,7 @@ def make_tables(kinds: int, n: int, terms: int) -> Tables:
     return Tables(steps, blocks, A, lines, rows, degrees, ends, neighbours)
 
 
-def put_matrices(tables: Tables, kind: int | slice, layout: Layout, rows: Rows) -> None:
+def put_matrices(tables: Tables, kind: int | slice, layout: Layout, rows: ModeRows) -> None:
     """Write the matrices of a kind, or with a leading axis of several kinds of one layout."""
     n, (first, terms, sines, waves) = layout.size, layout.blocks[FRICTION]
     lines = tables.lines[kind, ..., :n]

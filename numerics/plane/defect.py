@@ -12,7 +12,7 @@ from typing import NamedTuple
 from flint import arb, arb_poly
 
 from numerics.plane.polynomial import integral_bound, least, total
-from numerics.plane.series import Step
+from numerics.plane.series import CurveStep
 from numerics.plane.system import System
 from numerics.plane.vector import Vector
 
@@ -25,7 +25,7 @@ class Defect(NamedTuple):
     load_error: Vector
 
 
-def defect(system: System, step: Step, friction_off: Vector) -> Defect:
+def defect(system: System, step: CurveStep, friction_off: Vector) -> Defect:
     """Return the defect of a curve; friction_off: bounds on int |impulse - f dt|, f in dh(s), by axes."""
     curve, (u, u_off) = step.curve, force_along(system, step)
     rate, v1 = curve.t.derivative(), curve.v1
@@ -39,7 +39,7 @@ def defect(system: System, step: Step, friction_off: Vector) -> Defect:
     return Defect(norm, push * system.share, system.share * u_off)
 
 
-def force_along(system: System, step: Step) -> tuple[Vector, Vector]:
+def force_along(system: System, step: CurveStep) -> tuple[Vector, Vector]:
     """Return u(t(x)) as polynomials on [0, 1], and bounds on what they are off, by axes.
 
     A cosine and a sine are polynomials that may be anything; their defect bounds their errors.
@@ -53,7 +53,7 @@ def force_along(system: System, step: Step) -> tuple[Vector, Vector]:
     return drive.force(t, step.swing), errors
 
 
-def slip_defect(system: System, step: Step, slip: Vector, size: arb_poly) -> tuple[Defect, arb]:
+def slip_defect(system: System, step: CurveStep, slip: Vector, size: arb_poly) -> tuple[Defect, arb]:
     """Return the defect of a slip along S, size g about h(S), and a lower bound of h(S), 0 if there is none.
 
     With r = g^2 - h(S)^2: |impulse - f t'| <= |impulse g - B^2 S t'|/g + b (t'/g) |r|/g, and |g - h(S)| <= |r|/g.

@@ -105,7 +105,7 @@ def around(system: System, at: Point, norm: arb, window: arb, slips: Sequence[ar
     return Around(first, drive.b * BEYOND / system.m2, push * system.share, drift, steep)
 
 
-class Leg(NamedTuple):
+class PlaneLeg(NamedTuple):
     """A curve of a system from x = 0 to x = `end`, and a bound on N up to there."""
 
     system: int
@@ -114,10 +114,10 @@ class Leg(NamedTuple):
     norm: arb
 
 
-class Motion:
+class PlaneMotion:
     """The motion that the legs of a path enclose."""
 
-    def __init__(self, systems: list[System], legs: list[Leg]) -> None:
+    def __init__(self, systems: list[System], legs: list[PlaneLeg]) -> None:
         """Take the legs, which may still grow."""
         self.systems, self.legs = systems, legs
         with systems[-1].fine():

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from flint import arb
 
 from numerics.errors import EventUndecided
-from numerics.plane.motion import Around, Leg, Motion, PlaneEvent, around, drifted, enclosed, middle
+from numerics.plane.motion import Around, PlaneEvent, PlaneLeg, PlaneMotion, around, drifted, enclosed, middle
 from numerics.plane.series import Friction, Point
 from numerics.plane.system import PlaneDrive, System
 from numerics.plane.vector import Vector, wide
@@ -27,9 +27,9 @@ class PlanePath:
         """Begin at t = 0."""
         self.systems, self.system, self.mode = systems, systems[0], "0" * systems[0].n
         self.max_events, self.max_legs, self.progress = max_events, max_legs, progress
-        self.legs: list[Leg] = []
+        self.legs: list[PlaneLeg] = []
         self.events: list[PlaneEvent] = []
-        self.motion = Motion(systems, self.legs)
+        self.motion = PlaneMotion(systems, self.legs)
         with self.system.fine():
             (q1, v1, v2), still = self.system.start, self.system.still
             self.norm = arb(0)
@@ -61,7 +61,7 @@ class PlanePath:
         true = self.drive.length if ends else self.at.t
         # the curve is there a little earlier or later: as a motion that rests meanwhile it lacks all its rates
         self.norm = (self.norm + self.rate(true) * abs(point.t - true)).upper()
-        self.legs.append(Leg(self.systems.index(self.system), curve, end, self.norm))
+        self.legs.append(PlaneLeg(self.systems.index(self.system), curve, end, self.norm))
         if ends:
             self.at = self.at._replace(piece=curve.piece + 1, t=arb(0))
 

@@ -24,7 +24,7 @@ from numerics.plane.onset import first_slip, onset, slow_series
 from numerics.plane.passage import Drawn, drawn_to, end_direction
 from numerics.plane.path import OUTSIDE
 from numerics.plane.polynomial import first_root, log2, midpoints, rise, scaled, two_to
-from numerics.plane.series import Expansion, Point, Series, Step, step_from
+from numerics.plane.series import CurveStep, Expansion, Point, Series, step_from
 from numerics.plane.system import highest
 from numerics.plane.vector import Vector, wide
 
@@ -158,7 +158,7 @@ class PlaneRun(LinearPath):
             self.end(step.curve, norm, slip, slowest)
         return True
 
-    def along(self, series: Series, h: arb, top: int, m: int) -> tuple[Step, Vector, Defect, arb]:
+    def along(self, series: Series, h: arb, top: int, m: int) -> tuple[CurveStep, Vector, Defect, arb]:
         """Return the step of a slip s = tau^m S on [0, h], of s = (1 - x) S for m = -1, and S.
 
         Its defect, and a lower bound of h(S) (0: none).

@@ -67,7 +67,7 @@ class Series(NamedTuple):
     size: list[arb]
 
 
-class Step(NamedTuple):
+class CurveStep(NamedTuple):
     """A curve, with `impulse` f dt/dx on it, and polynomials that are about sine and cosine of each phase."""
 
     curve: Point
@@ -75,11 +75,11 @@ class Step(NamedTuple):
     swing: Sequence[tuple[arb_poly, arb_poly]]
 
 
-def step_from(at: Point, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector, swing: Any) -> Step:
+def step_from(at: Point, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector, swing: Any) -> CurveStep:
     """Return a curve from a point, with z along it."""
     rate = t.derivative()
     z = Vector((x * rate).integral() + z for x, z in zip(s, at.z, strict=True))
-    return Step(Point(at.piece, t, q1, v2, s, z), impulse, swing)
+    return CurveStep(Point(at.piece, t, q1, v2, s, z), impulse, swing)
 
 
 class Expansion:
@@ -108,7 +108,7 @@ class Expansion:
             found = min([found, *((enough - log2(p[k])) / k for k in last if p[k] != 0)])
         return two_to(found)
 
-    def drawn(self, h: arb) -> Step:
+    def drawn(self, h: arb) -> CurveStep:
         """Return a step sigma = h x, 0 <= x <= 1."""
         n, drive = self.system.n, self.system.pieces[self.at.piece]
         given = zip(self.polynomials, self.start, strict=True)

@@ -15,7 +15,7 @@ from flint import arb, arb_poly
 
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.plane.box import Parts
-from numerics.plane.motion import Leg, Motion, PlaneEvent, PlaneState, Working
+from numerics.plane.motion import PlaneEvent, PlaneLeg, PlaneMotion, PlaneState, Working
 from numerics.plane.reduced import reduced
 from numerics.plane.series import Point
 from numerics.plane.system import System, highest
@@ -70,7 +70,7 @@ class PlaneTrajectory(Answer[str]):
         status: Status,
         mode: str,
         events: tuple[PlaneEvent, ...],
-        motion: Motion | Parts,
+        motion: PlaneMotion | Parts,
     ) -> None:
         """Keep what a run found: how it ended, the mode at t = 0, its events, and what knows the state at any time."""
         self.arithmetic: Working = arithmetic
@@ -131,7 +131,7 @@ class PlaneTrajectory(Answer[str]):
             "status": int(self.status),
             "events": [saved.plain([*vars(one).values()]) for one in self.events],
             "mode": self._all_modes[0],
-            "legs": saved.plain(motion.legs) if isinstance(motion, Motion) else None,
+            "legs": saved.plain(motion.legs) if isinstance(motion, PlaneMotion) else None,
             "parts": [*map(saved.contents, motion.answers)] if isinstance(motion, Parts) else None,
         }
 
@@ -141,9 +141,9 @@ class PlaneTrajectory(Answer[str]):
         _, digits = header["arithmetic"]
         working = Working(digits)
         with working.context():
-            motion: Motion | Parts
+            motion: PlaneMotion | Parts
             if header["parts"] is None:
-                motion = Motion([System(one, digits) for one in reduced(scene)], [*map(_leg, header["legs"])])
+                motion = PlaneMotion([System(one, digits) for one in reduced(scene)], [*map(_leg, header["legs"])])
             else:
                 kinds = {kind.FORMAT: kind for kind in (cls, Trajectory)}
                 parts = (saved.restored(one, kinds[one["format"]]) for one in header["parts"])
@@ -158,6 +158,6 @@ def _columns(states: Iterable[PlaneState], rows: int) -> Array:
     return np.array([[*chain(*one)] for one in states], dtype=object).reshape(-1, rows).T
 
 
-def _leg(given: Any) -> Leg:
+def _leg(given: Any) -> PlaneLeg:
     system, (piece, t, *parts), end, norm = given
-    return Leg(system, Point(piece, arb_poly(t), *map(Vector, parts)), end, norm)
+    return PlaneLeg(system, Point(piece, arb_poly(t), *map(Vector, parts)), end, norm)

@@ -24,7 +24,7 @@ from numerics.arithmetic.compiled import compiled
 from numerics.linear.exact_start import mode_at_start
 from numerics.linear.modes import MODES
 from numerics.scene import Law, Scene
-from numerics.trade.judge import Call, Run
+from numerics.trade.judge import Call, Outcome
 from numerics.trade.peers import unknown
 
 Vector = NDArray[np.float64]
@@ -112,12 +112,12 @@ def euler_peer(scene: Scene, steps: float) -> Call:
 
 
 @np.errstate(over="ignore", invalid="ignore")  # a coarse step may blow up, and says so by its result
-def read(first: int, euler: EulerRun) -> Run:
+def read(first: int, euler: EulerRun) -> Outcome:
     """Return what a forward Euler run says, its first mode known, read by the rules above."""
     events = list(events_of(euler.sign, euler.load, first))
     at = [step for step, _ in events]
     modes = [MODES[mode].value for mode in (first, *(mode for _, mode in events))]
-    return Run(modes, euler.t[at], euler.y[:, [0, *at, -1]].T)
+    return Outcome(modes, euler.t[at], euler.y[:, [0, *at, -1]].T)
 
 
 def events_of(sign: Vector, load: Vector, mode: int) -> Iterator[tuple[int, int]]:

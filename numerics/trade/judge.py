@@ -24,7 +24,7 @@ MAX_EVENTS = 250_000
 _SPARE_DIGITS = 30
 
 
-class Run(NamedTuple):
+class Outcome(NamedTuple):
     """What one run of anybody says of a scene, in its own numbers: modes, times of events (s), states in SI units."""
 
     modes: Sequence[Any]
@@ -34,7 +34,7 @@ class Run(NamedTuple):
     """At the start, at the events and at the horizon: x1, v1, x2, v2, each by axes on a surface."""
 
 
-Call = Callable[[], Run]
+Call = Callable[[], Outcome]
 """Solves a scene and says what it found: what is timed."""
 
 
@@ -46,20 +46,20 @@ class Judgement(NamedTuple):
     note: str
 
 
-def looked_at(trajectory: Any) -> Run:
+def looked_at(trajectory: Any) -> Outcome:
     """Return what a trajectory of ours says: a user looks at its t, y and modes, which are made when they are read."""
     times, states = trajectory.event_times, trajectory.y.T
     if len(times) + 2 != len(states):
         raise NumericsError(trajectory.message)
-    return Run(trajectory.modes, times, states)
+    return Outcome(trajectory.modes, times, states)
 
 
-def proved(scene: Any, digits: int = 0) -> Run:
+def proved(scene: Any, digits: int = 0) -> Outcome:
     """Return the reference of a scene in balls, for methods of so many digits."""
     return looked_at(solve(scene, arithmetic="ball", digits=digits + _SPARE_DIGITS, max_events=MAX_EVENTS))
 
 
-def judge(run: Run, truth: Run, digits: int = 0) -> Judgement:
+def judge(run: Outcome, truth: Outcome, digits: int = 0) -> Judgement:
     """Hold a run against the `proved` reference of as many digits."""
     pairs = [*zip_longest(run.modes, truth.modes)]
     right = next((k for k, (said, true) in enumerate(pairs) if said != true), len(pairs))
@@ -82,7 +82,7 @@ def judge(run: Run, truth: Run, digits: int = 0) -> Judgement:
         return Judgement(right - 1, math.floor(float(worst.log().mid()) / -math.log(10) * 100) / 100, "")
 
 
-def _change(run: Run, event: int) -> str:
+def _change(run: Outcome, event: int) -> str:
     """Return in words what happens at an event, counted from 1, or that there is none."""
     if event >= len(run.modes):
         return f"{run.modes[-1]} to the end"

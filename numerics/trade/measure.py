@@ -19,7 +19,7 @@ from numerics.errors import NumericsError
 from numerics.scene.file import load_scene
 from numerics.solver.many import solve_many
 from numerics.trade.contenders import BALLS, CONTENDERS, FLOAT64
-from numerics.trade.judge import Call, Judgement, Run, judge, proved
+from numerics.trade.judge import Call, Judgement, Outcome, judge, proved
 from numerics.trade.recorded import Row, Trade, machine
 
 FOLDER = Path(__file__).with_name("benchmarks")
@@ -58,7 +58,7 @@ def trade(
     return Trade(of, left_out, {name: what for name, (_, what) in scenes.items()}, tuple(rows))
 
 
-def judged(prepare: Callable[[], Call], truth: Run, digits: int) -> tuple[Call | None, Judgement]:
+def judged(prepare: Callable[[], Call], truth: Outcome, digits: int) -> tuple[Call | None, Judgement]:
     """Return what to time, None where there is no answer, and how right it is."""
     try:
         call = prepare()

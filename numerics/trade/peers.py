@@ -29,7 +29,7 @@ from numerics.linear.pieces import pieces_of
 from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import exact_z, signal_form
 from numerics.scene import Law, Pair, Scene
-from numerics.trade.judge import Call, Run
+from numerics.trade.judge import Call, Outcome
 
 Row = list[tuple[int, Any]]
 """A linear function of z: places and coefficients, of the integrator's numbers: float or numpy.longdouble."""
@@ -168,7 +168,7 @@ def switched(integrator: Callable[[SwitchedPair, float], Arc], kind: type = floa
     return prepare
 
 
-def run(pair: SwitchedPair, arc: Arc) -> Run:
+def run(pair: SwitchedPair, arc: Arc) -> Outcome:
     """Run from event to event and from jump to jump. Raises PeerFailed."""
     mode, z, arcs, modes, times = pair.mode, pair.state, 0, [pair.mode], list[Any]()
     states = [tuple(z)]
@@ -195,7 +195,7 @@ def run(pair: SwitchedPair, arc: Arc) -> Run:
                 near, far = (dot(row, z) for row in own.guards[0])
                 after = own.after_contact(z) if mode else 1 if near < far else -1
                 z[V1] = z[V1] if after == -mode else z[V2]  # what crosses steeply is not off the surface: let it be
-    return Run([MODES[one].value for one in modes], times, [*states, tuple(z[:FIRST])])
+    return Outcome([MODES[one].value for one in modes], times, [*states, tuple(z[:FIRST])])
 
 
 def scipy_arcs(pair: SwitchedPair, rtol: float) -> Arc:

@@ -65,14 +65,14 @@ class Steady(NamedTuple):
 
     def wave(self, t: arb) -> Wave:
         """Return it as a wave from a time on."""
-        parts = [Part(acb_poly([*map(number, self.polynomial)]), clock=t - number(self.since))]
+        parts = [Oscillation(acb_poly([*map(number, self.polynomial)]), clock=t - number(self.since))]
         for in_sine, in_cosine, rise_sine, rise_cosine, turn, phase in self.tones:
             factor = [acb(number(c), -number(s)) for c, s in ((in_cosine, in_sine), (rise_cosine, rise_sine))]
-            parts.append(Part(acb_poly(factor), acb(0, number(turn)), number(phase), t))
+            parts.append(Oscillation(acb_poly(factor), acb(0, number(turn)), number(phase), t))
         return Wave(parts)
 
 
-class Part(NamedTuple):
+class Oscillation(NamedTuple):
     """The real part of factor(s) exp(rate s + i phase), s = clock + u."""
 
     factor: acb_poly
@@ -89,12 +89,12 @@ class Part(NamedTuple):
             sine, cosine = (widened(one, angle.rad()) for one in angle.mid().sin_cos())
         return (self.rate.real * s).exp() * (factor.real * cosine - factor.imag * sine)
 
-    def slope(self) -> Part:
+    def slope(self) -> Oscillation:
         """Return the derivative."""
         return self._replace(factor=self.factor.derivative() + self.rate * self.factor)
 
 
-class Wave(list[Part]):
+class Wave(list[Oscillation]):
     """A sum of parts."""
 
     def __call__(self, u: arb) -> arb:
@@ -107,7 +107,7 @@ class Wave(list[Part]):
 
     def plus(self, k: int, *polynomial: arb) -> Wave:
         """Return a polynomial plus k times the wave."""
-        return Wave([Part(acb_poly([*polynomial])), *(one._replace(factor=k * one.factor) for one in self)])
+        return Wave([Oscillation(acb_poly([*polynomial])), *(one._replace(factor=k * one.factor) for one in self)])
 
 
 class Spell(NamedTuple):
@@ -143,22 +143,22 @@ def _answer(pair: Pair, mass: Fraction, force: Steady) -> Steady:
     return Steady(force.since, tuple(particular(force.polynomial, mass, pair.a1, pair.a2)), tuple(tones))
 
 
-def _swing(pair: Pair, mass: Fraction, x: arb, v: arb) -> Iterator[Part]:
+def _swing(pair: Pair, mass: Fraction, x: arb, v: arb) -> Iterator[Oscillation]:
     """Yield the parts of a free swing of a mass; whether damping is below its critical value is decided exactly."""
     slow = pair.a1 / (2 * mass)
     square = pair.a2 / mass - slow**2
     decay, root = number(slow), number(abs(square)).sqrt()
     odd = v + decay * x
     if square > 0:
-        yield Part(acb_poly([acb(x, -odd / root)]), acb(-decay, root))
+        yield Oscillation(acb_poly([acb(x, -odd / root)]), acb(-decay, root))
     elif square == 0:
-        yield Part(acb_poly([x, odd]), acb(-decay))
+        yield Oscillation(acb_poly([x, odd]), acb(-decay))
     else:
         for k in (1, -1):
-            yield Part(acb_poly([(x + k * odd / root) / 2]), acb(k * root - decay))
+            yield Oscillation(acb_poly([(x + k * odd / root) / 2]), acb(k * root - decay))
 
 
-class Box(NamedTuple):
+class EnclosedState(NamedTuple):
     """Time (s), place (m) and velocity (m/s) of body 1, the same of body 2."""
 
     t: arb
@@ -176,13 +176,13 @@ class TheoremRun:
     spell: Spell
     signs: int
     """In how many bits it is seen that nothing happens in a phase."""
-    at: Box
+    at: EnclosedState
     touches: bool
     k: int = 0
 
     def start(self, *numbers: Fraction) -> TheoremRun:
         """Return the run from an exact state, t, x1, v1, x2, v2."""
-        return replace(self, at=Box(*map(number, numbers)), touches=numbers[2] == numbers[4], k=0)
+        return replace(self, at=EnclosedState(*map(number, numbers)), touches=numbers[2] == numbers[4], k=0)
 
     @property
     def time(self) -> float:
@@ -204,16 +204,16 @@ class TheoremRun:
             return slope.slope().plus(-k, gained)
         return slope.plus(k, -k * self.at.v2, -gained)
 
-    def moved(self, mode: Mode, u: arb, ends: int = 0) -> Box:
+    def moved(self, mode: Mode, u: arb, ends: int = 0) -> EnclosedState:
         """Return the state a time later; where a mode ends, a stick towards `ends`, both velocities are equal."""
         pair, spell, at, path = self.pair, self.spell, self.at, self.path(mode)
         t, x1, v1 = at.t + u, path(u), path.slope()(u)
         if mode is Mode.STICK:
             load = spell.force.wave(t)(arb(0)) - number(ends * spell.friction * pair.mass / pair.m2)
             edge = (load - number(pair.a1) * v1) / number(pair.a2) if ends else x1
-            return Box(t, edge, v1, at.x2 + (x1 - at.x1), v1)
+            return EnclosedState(t, edge, v1, at.x2 + (x1 - at.x1), v1)
         v2 = at.v2 + number(mode.sign * spell.friction / pair.m2) * u
-        return Box(t, x1, v2 if ends else v1, at.x2 + (at.v2 + v2) / 2 * u, v2)
+        return EnclosedState(t, x1, v2 if ends else v1, at.x2 + (at.v2 + v2) / 2 * u, v2)
 
     def hit(self, mode: Mode, k: int, time: float) -> tuple[Fraction, Fraction]:
         """Go to the next event, near the time; return bounds of the time since. Raises TooCoarse."""

@@ -8,7 +8,7 @@ import numpy as np
 
 from numerics.trajectory.columns import Array, Counts, Floats
 from numerics.trajectory.events import wall_of
-from numerics.trajectory.rows import Rows
+from numerics.trajectory.rows import RecordedRun
 
 RESOLVED = 100
 """So many segments at the beginning and at the end are always drawn as curves."""
@@ -19,7 +19,7 @@ _PER_RADIAN, _FEWEST, _LEAST, _MOST = 24, 8, 60, 10_000
 so far; longer ones share the last."""
 
 
-class Curve(NamedTuple):
+class SampledCurve(NamedTuple):
     """A trajectory for drawing, n points: its ends and, in every segment, both ends and points between them."""
 
     t: Floats
@@ -48,7 +48,7 @@ class Curve(NamedTuple):
     """J"""
 
 
-def sampled(trajectory: Rows) -> Curve:
+def sampled(trajectory: RecordedRun) -> SampledCurve:
     """Return points that resolve every segment, however short; of thousands of segments the first and the last.
 
     At a jump of u or b, as at an event, there are two points.
@@ -82,7 +82,7 @@ def sampled(trajectory: Rows) -> Curve:
         # where it is carried it keeps its digits where E/E_cr - 1 cancels
         w = energy / unit - 1 if excess is None else number(excess)[at] - kinetic * apart / unit
     resolved = (parts >= _FEWEST * radians)[at]
-    return Curve(t, y, w, lost, segment, resolved, stick, u, b, load, friction, energy)
+    return SampledCurve(t, y, w, lost, segment, resolved, stick, u, b, load, friction, energy)
 
 
 def _work(force: Floats, along: Floats) -> Floats:

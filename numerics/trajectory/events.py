@@ -27,7 +27,7 @@ from numerics.scene import Signal
 from numerics.scene.short_repr import ShortRepr, record
 from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.flow import enclosed, taken
-from numerics.trajectory.rows import Rows
+from numerics.trajectory.rows import RecordedRun
 
 if TYPE_CHECKING:
     from numerics.scene.decimals import Quantity
@@ -83,7 +83,7 @@ class Segment(ShortRepr):
     end: Quantity
     length: Quantity
     rows: range = field(repr=False)
-    run: Rows = field(repr=False, compare=False)
+    run: RecordedRun = field(repr=False, compare=False)
 
     def state(self, since: Quantity) -> tuple[Quantity, Quantity, Quantity, Quantity]:
         """Return (x1, v1, x2, v2) at `since` (s) after the start, m and m/s; in the arithmetic's context."""
@@ -133,19 +133,19 @@ class EnergyLedger(ShortRepr):
     """A bound on the errors of what is integrated, in float64; 0 for balls and mpmath."""
 
 
-def ledger_of(run: Rows) -> EnergyLedger:
+def ledger_of(run: RecordedRun) -> EnergyLedger:
     """Return the ledger of the whole run; in the arithmetic's context."""
     rows = range(len(run.row_lengths))
     friction, viscous, force, force_2, belt, wall, error = taken_in(run, rows)
     wall = wall + _by_jumps_of_the_wall(run)
-    times = np.array([run.arithmetic.number(0), run.end_time])
-    initial, final = energy_of(run, times, run._states[:, [0, -1]], np.array([0, -1])).tolist()
+    times, states = run.moments
+    initial, final = energy_of(run, times[[0, -1]], states[:, [0, -1]], np.array([0, -1])).tolist()
     work = force + force_2 + belt + wall
     residual = initial + work - final - friction - viscous
     return EnergyLedger(initial, final, friction, viscous, residual, work, force, force_2, belt, wall, error)
 
 
-def taken_in(run: Rows, rows: range) -> list[Number]:
+def taken_in(run: RecordedRun, rows: range) -> list[Number]:
     """Return what is taken and given (model.TAKEN) in some rows, J, and in floats a bound on the error of each."""
     if not run.bounded:
         zero, lengths = run.arithmetic.number(0), run.row_lengths[rows.start : rows.stop]
@@ -162,7 +162,7 @@ def taken_in(run: Rows, rows: range) -> list[Number]:
     return found
 
 
-def _enclosed(run: Rows, row: int) -> Sequence[arb]:
+def _enclosed(run: RecordedRun, row: int) -> Sequence[arb]:
     """Return what is taken in a row's segment in float64, from all starts within their bounds."""
     local, rest, length, *state = (run.row_column(name) for name in NUMBERS)
     begun = Ball.number(run.pieces[run.row_pieces[row]].start) + local[row] + rest[row]
@@ -172,7 +172,7 @@ def _enclosed(run: Rows, row: int) -> Sequence[arb]:
         return enclosed(_LONG, run.row_mode(row), start, begun, arb(float(length[row + 1])), taken)
 
 
-def energy_of(run: Rows, t: Array, y: Array, rows: Counts | None = None) -> Array:
+def energy_of(run: RecordedRun, t: Array, y: Array, rows: Counts | None = None) -> Array:
     """Return the energy of states at times, J, in rows if they are known: of the spring by its length.
 
     In the arithmetic's context.
@@ -187,7 +187,7 @@ def energy_of(run: Rows, t: Array, y: Array, rows: Counts | None = None) -> Arra
     return np.asarray(run.scene.pair.energy((x1, *others), float if run.bounded else run.arithmetic.number))
 
 
-def wall_of(run: Rows, rows: Counts, t: Array) -> Array:
+def wall_of(run: RecordedRun, rows: Counts, t: Array) -> Array:
     """Return the displacement of the wall at times, m, each by the piece of its row, shape (1, n)."""
     found = []
     for row, time in zip(rows.tolist(), t, strict=True):
@@ -202,7 +202,7 @@ def wall_of(run: Rows, rows: Counts, t: Array) -> Array:
     return np.array([found])
 
 
-def _by_jumps_of_the_wall(run: Rows) -> Number:
+def _by_jumps_of_the_wall(run: RecordedRun) -> Number:
     """Return what jumps of the wall put into the spring, J."""
     total, half = run.arithmetic.number(0), run.arithmetic.number(run.scene.pair.a2 / 2)
     for k in np.flatnonzero(np.diff(run.row_pieces)) + 1:

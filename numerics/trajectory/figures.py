@@ -17,7 +17,7 @@ from numerics.linear.modes import EventKind, Mode
 from numerics.meter import meter
 from numerics.scene import Law
 from numerics.scene.decimals import positive, require_one_of
-from numerics.trajectory.curve import Curve, sampled
+from numerics.trajectory.curve import SampledCurve, sampled
 from numerics.trajectory.export import word
 
 BLUE, ORANGE, GREEN, PURPLE, GRAY = "#0072B2", "#D55E00", "#009E73", "#7B4FA3", "#999999"
@@ -78,7 +78,7 @@ def axes_for(kind: Any, kinds: Collection[str], ax: Any, name: str = "kind") -> 
     return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 
-def _against_time(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _against_time(trajectory: Any, curve: SampledCurve, ax: Any) -> None:
     """Label the time axis, and shade the times at which the bodies stick over the whole height of the axes."""
     ax.set_xlabel("t (s)")
     ax.set_xlim(curve.t[0], curve.t[-1])
@@ -97,7 +97,7 @@ def _mark_events(trajectory: Any, ax: Any, across: int, up: int) -> None:
             ax.plot(rows[across], rows[up], marker, color="black", ms=4, mfc="none", label=label, ls="none")
 
 
-def _bodies(row: int, trajectory: Any, curve: Curve, ax: Any) -> None:
+def _bodies(row: int, trajectory: Any, curve: SampledCurve, ax: Any) -> None:
     """Draw positions (row 0) or velocities (row 1) of both."""
     ax.plot(curve.t, curve.y[row], **FIRST)
     ax.plot(curve.t, curve.y[row + 2], **SECOND)
@@ -105,22 +105,22 @@ def _bodies(row: int, trajectory: Any, curve: Curve, ax: Any) -> None:
         _mark_events(trajectory, ax, 0, 2)
 
 
-def _load(_: Any, curve: Curve, ax: Any) -> None:
+def _load(_: Any, curve: SampledCurve, ax: Any) -> None:
     ax.fill_between(curve.t, -curve.b, curve.b, **_ENOUGH)
     ax.plot(curve.t, curve.load, **_NEEDED)
 
 
-def _force(_: Any, curve: Curve, ax: Any) -> None:
+def _force(_: Any, curve: SampledCurve, ax: Any) -> None:
     ax.plot(curve.t, curve.u, color=PURPLE, lw=1.2)
 
 
-def _friction(_: Any, curve: Curve, ax: Any) -> None:
+def _friction(_: Any, curve: SampledCurve, ax: Any) -> None:
     """Draw friction against the relative speed: in stick it is what sticking needs."""
     w = curve.y[1] - curve.y[3], "$v_1 - v_2$ (m/s)"
     _plane(curve, ax, w, curve.friction)
 
 
-def _phase(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _phase(trajectory: Any, curve: SampledCurve, ax: Any) -> None:
     """Draw x1 against v1, and S0 where it stays."""
     _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1], **FIRST)
     _mark_events(trajectory, ax, 1, 2)
@@ -128,12 +128,12 @@ def _phase(trajectory: Any, curve: Curve, ax: Any) -> None:
         _sliding_region(trajectory.scene.pair, ax)
 
 
-def _relative(_: Any, curve: Curve, ax: Any) -> None:
+def _relative(_: Any, curve: SampledCurve, ax: Any) -> None:
     """Draw x1 against v1 - v2: on S that is 0, and a cycle of stick and slip closes."""
     _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1] - curve.y[3])
 
 
-def _plane(curve: Curve, ax: Any, across: tuple[Any, str], up: Any, **style: Any) -> None:
+def _plane(curve: SampledCurve, ax: Any, across: tuple[Any, str], up: Any, **style: Any) -> None:
     """Draw one quantity against another, named."""
     (x, name), sparse = across, ~curve.resolved  # lines between sparse points would not be the curve
     line = np.where(sparse, np.nan, (x, up))
@@ -165,7 +165,7 @@ def _sliding_region(pair: Any, ax: Any) -> None:
         ax.plot(half_width * np.cos(angle), speed * np.sin(angle), **_CRITICAL)
 
 
-def _excess(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _excess(trajectory: Any, curve: SampledCurve, ax: Any) -> None:
     """Draw what the energy has above E_cr, or lacks below it. Raises InvalidScene without E_cr."""
     _ = trajectory.scene.pair.half_width, trajectory.scene.pair.critical_energy
     for part, label, dashes in ((curve.w, r"$E/E_{cr} - 1$", "-"), (-curve.w, r"$1 - E/E_{cr}$", "--")):
@@ -173,7 +173,7 @@ def _excess(trajectory: Any, curve: Curve, ax: Any) -> None:
             ax.semilogy(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, color="black", ls=dashes)
 
 
-def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _energy(trajectory: Any, curve: SampledCurve, ax: Any) -> None:
     """Draw the ledger: what acts has put in, what is left of it, and what friction and viscosity took."""
     scene, (friction, viscous) = trajectory.scene, curve.lost
     work = curve.energy - curve.energy[0] + friction + viscous

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from numerics.free.frame import ReducedState
 from numerics.trajectory.answer import Side
-from numerics.trajectory.rows import Rows
+from numerics.trajectory.rows import RecordedRun
 
 if TYPE_CHECKING:
     from numerics.scene.decimals import Quantity, Times
@@ -22,7 +22,7 @@ class Reduced:
     (0.173401, 0.0, 13.389309)
     """
 
-    def __init__(self, run: Rows) -> None:
+    def __init__(self, run: RecordedRun) -> None:
         """Take a run on a line."""
         self.run = run
 

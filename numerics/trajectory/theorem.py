@@ -28,7 +28,7 @@ from numerics.scene.model import PLAIN
 from numerics.trajectory.closed_forms import (
     SPARE,
     SPARE_SIGN_BITS,
-    Box,
+    EnclosedState,
     Spell,
     Steady,
     TheoremRun,
@@ -145,7 +145,7 @@ class _Writer:
         self.spells, at = list(spells(scene)), scene.initial
         first, *self.later = self.spells
         with precision(most):
-            state = Box(*map(number, (Fraction(0), *at)))
+            state = EnclosedState(*map(number, (Fraction(0), *at)))
             self.run = TheoremRun(scene.pair, first, 12 + most // 8, state, at.v1 == at.v2, _edge(scene, first))
         self.fresh, self.radius = self._size(), Fraction(0)
         self.close: TheoremRun | None = None

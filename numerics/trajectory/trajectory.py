@@ -20,7 +20,7 @@ from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, a
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
 from numerics.trajectory.in_units import Reduced
 from numerics.trajectory.rendering import MOST_DIGITS
-from numerics.trajectory.rows import Rows
+from numerics.trajectory.rows import RecordedRun
 from numerics.trajectory.saved import plain
 from numerics.trajectory.status import Status
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from numerics.scene.decimals import Quantity
 
 
-class Trajectory(Rows):
+class Trajectory(RecordedRun):
     """A solved scene, with the attribute names of SciPy's solution objects, and modes, events and energies.
 
     Rows of `y` are x1, v1 (m, m/s) and x2, v2; columns belong to `t` (s): start, events, end; with t_eval, those times
@@ -181,7 +181,7 @@ class Trajectory(Rows):
                 return np.asarray(formed)
             if self.t_eval is not None:
                 return np.array([self.row_excess_at(one, "right") for one in self.t], dtype=object)
-            return self.row_excess[self._own_rows]
+            return self.row_excess[self.moment_rows]
 
     def end_numbers(self) -> tuple[Number, ...]:
         """Return x1, v1, x2, v2, energy and, where there is E_cr, excess at the end."""

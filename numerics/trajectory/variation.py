@@ -37,7 +37,7 @@ from numerics.linear.model import (
     Bodies,
     Cell,
     Layout,
-    Rows,
+    ModeRows,
     make_rows,
     put_rows,
     spread_omegas,
@@ -230,17 +230,17 @@ def _acting(scene: Scene, t: Fraction) -> list[tuple[str, Piece]]:
 
 
 @lru_cache(maxsize=1024)
-def _moved_rows(pair: Pair, layout: Layout, cell: Cell, name: str, place: int, line: Cell) -> Rows:
+def _moved_rows(pair: Pair, layout: Layout, cell: Cell, name: str, place: int, line: Cell) -> ModeRows:
     """Return the derivative of the matrices by a number of the pair, of the frequency at a place, of a line."""
     given = {key: getattr(pair, key) for key in _OF_A_PAIR}
     made = {key: one if one in {None, inf} else series(one, key == name) for key, one in given.items()}
     numbers = SimpleNamespace(**made)
     numbers.mass = numbers.m1 if pair.is_fixed else numbers.m1 + numbers.m2
     omegas = np.frompyfunc(series, 2, 1)(spread_omegas(layout), np.arange(layout.size) == place)
-    rows = Rows(*(np.full(one.shape, 0, dtype=object) for one in make_rows(layout.size)))
+    rows = ModeRows(*(np.full(one.shape, 0, dtype=object) for one in make_rows(layout.size)))
     bodies, own = Bodies.of(numbers), map(series, cell, line)  # type: ignore[arg-type]
     put_rows(Bodies(*map(_one, bodies)), layout.blocks, omegas, tuple(map(_one, own)), rows)
-    return Rows(*map(_slopes, rows))
+    return ModeRows(*map(_slopes, rows))
 
 
 def _one(number: object) -> Array:
