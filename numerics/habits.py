@@ -46,9 +46,10 @@ t_end t_span tspan tmax t_max tf T duration horizon until: the horizon is until=
 y0 initial x0 args params p: initial state and numbers are those of the Scene; scene.replace(...) changes them
 k m1 m2 a1 a2 b mu c force friction belt wall force_2 b_static weakening: that is part of the Scene; \
 scene.replace(...) changes it, solve_scenes takes lists of scenes
-x1 v1 x2 v2: State(...) has the initial ones; run["x1"] is the row of run.y, run.final.x1 its end
+x1 v1 x2 v2: State(...) has the initial ones; run["x1"] or batch["x1"] is the row of y, run.final.x1 the end of a run
 cos cosine sin: Force.sine(amplitude, omega, phase) is that; a cosine has the phase pi/2 = 1.5707963267948966
-amplitude omega: a sine is Force.sine(amplitude, omega), in a file sines = [{ amplitude = 1, omega = 2 }]
+amplitude omega phase: a sine is Force.sine(amplitude, omega), in a file sines = [{ amplitude = 1, omega = 2 }]; \
+its numbers are named force[0].sines[0].amplitude
 speed value: a constant is Force.constant(3), in a file polynomial = [3]
 fun f func rhs: the equations are those of the Scene
 lambda_ function signal: a force is made of Force.sine, .step, .ramp, .samples, and their sums

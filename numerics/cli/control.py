@@ -100,9 +100,7 @@ def print_tracking(options: argparse.Namespace) -> int:
         shown = numbers(found, asked=one.force, at=one.at, too_much_by=excess)
         demands.append({"piece": one.number, "possible": one.possible, **shown, "from": start, "until": end, "b": b})
     if found.scene is not None and not found.sticks:
-        lines.append(
-            f"friction is at its limit: phases rounded to 60 digits change u by {found.force_error:.0e} N s in total"
-        )
+        lines.append(f"friction is at its limit: rounded phases change u by {found.force_error:.0e} N s in total")
     record = {"possible": found.scene is not None, "demands": demands, "force_error": f"{found.force_error:.1e}"}
     otherwise = "no force makes body 2 follow: a piece requires more than friction can give"
     return _plan(options, found, (record, lines), otherwise)

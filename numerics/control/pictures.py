@@ -38,7 +38,7 @@ from numerics.trajectory.trajectory import Trajectory
 _DIGITS, _POINTS = 40, 400
 _TOGETHER = 1e-12
 """Velocities that are the same to so many parts count as one: a force in decimals leaves 10^-20 of a slip."""
-REGIME_COLOURS = {
+_REGIMES = {
     "a motion sticks permanently": "#dbe7f3",
     "slips, with stops or more reversals": "#f6e3c5",
     "never stops": "#e3cfe3",
@@ -76,7 +76,7 @@ def draw_rotating(found: Any) -> Figure:
     for v, style in ((found.v1, FIRST), (found.v2, SECOND)):
         circle = complex(v) * turn
         draw_path(ax, circle.real, circle.imag, np.zeros(1), **style)
-    ax.set(title="Both bodies from above", xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    ax.set(title="Both bodies from above, counterclockwise like u", xlabel="x (m)", ylabel="y (m)", aspect="equal")
     ax.locator_params(nbins=5)
     explain_below(figure)
     figure.suptitle(fill(found.sentence, 60))
@@ -102,8 +102,8 @@ def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
     top = 4 * float(np.nanquantile(edge[np.isfinite(edge)], 0.85))
     bottom = max(min(low.min(), np.nanmin(high)) / 3, top / 1e4)
     borders = [np.clip(one, bottom, top) for one in (0 * low, low, np.maximum(low, edge), np.inf * low)]
-    for (below, above), colour in zip(pairwise(borders), REGIME_COLOURS.values(), strict=True):
-        ax.fill_between(omegas, below, above, color=colour, lw=0)
+    for (below, above), (name, colour) in zip(pairwise(borders), _REGIMES.items(), strict=True):
+        ax.fill_between(omegas, below, above, fc=colour, ec="black", lw=0, label=name)
     ax.set(ylim=(bottom, top))
     return ax
 

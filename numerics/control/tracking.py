@@ -34,7 +34,9 @@ from numerics.scene.model import require_plain
 from numerics.scene.short_repr import ShortRepr
 
 _PHASE_DIGITS = 60
-_FEW_BITS = 64
+_FEW_BITS, _BITS = 64, 512
+_ROUNDED_DIGITS = 15
+"""Sines that nearly cancel, to so many digits, jump because a phase was rounded: 1 - cos begins with -pi/2."""
 _LOST_DIGITS = 10
 """Of the working digits, so many are not asked of the largest acceleration: they are what a search may lose."""
 
@@ -66,7 +68,7 @@ class Tracking(ShortRepr):
     """The demands of a reference, and the scene whose force makes body 2 follow it, None if a demand exceeds b.
 
     `share`: max m2 |r''|/b, dimensionless, an enclosure. `force_error`: upper bound on int |u - exact u| dt (N s), from
-    rounded phases; the error of the motion is at most force_error/sqrt(m1) in the norm N (sqrt J).
+    rounded phases, those of r included; the error of the motion is at most force_error/sqrt(m1) in the norm N (sqrt J).
     `digits`: right digits of each number.
 
     >>> from numerics import load_reference, load_scene
@@ -102,8 +104,10 @@ class Tracking(ShortRepr):
         return place, abs(place).max(arb(1))
 
 
-def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
-    """Return how body 2 of a scene follows a reference (pieces in m) until the scene's horizon.
+def track(
+    scene: Scene, reference: Force | Sequence[Piece], *, digits: int = 15, max_digits: int | None = None
+) -> Tracking:
+    """Return how body 2 of a scene follows a reference (m, a signal or its pieces) until the scene's horizon.
 
     The force is u = M r'' + a1 r' + a2 (r + x1(0) - r(0)), which needs m2 |r''| <= b(t); it replaces the scene's own.
     Raises InvalidScene (r or r' jumps, or does not start at x2(0), v2(0)), EventUndecided (m2 |r''| touches b where
@@ -116,7 +120,8 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     """
     require_plain("track", scene, "tracking")
     require_digits(digits, max_digits=max_digits)
-    _require(scene, reference)
+    reference = reference.pieces if isinstance(reference, Force) else reference
+    missed = _missed(scene, reference)
     starts, pieces = [one.start for one in reference], pieces_of(replace(scene, force=Force(reference)))
     parts = [(bisect_right(starts, one.start), one) for one in pieces]  # cut where b jumps, too
 
@@ -133,31 +138,38 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
         sizes = (
             abs(scene.pair.a1 * sine.omega * sine.amplitude) * one.length for _, one in parts for sine in one.sines
         )
-        error = float(number(sum(sizes, Fraction(0))).upper()) * 10.0 ** (1 - _PHASE_DIGITS)
-    return Tracking(reference, demands, followed, share, error, digits)
+        error = float(number(sum(sizes, Fraction(0))).upper()) * 10.0 ** (1 - _PHASE_DIGITS) + missed
+    return Tracking(tuple(reference), demands, followed, share, error, digits)
 
 
-def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
-    """Raise InvalidScene unless the reference is continuous with its velocity and starts where body 2 is."""
+def _missed(scene: Scene, reference: Sequence[Piece]) -> float:
+    """Return what jumps that come from rounded phases count as in the force, N s.
+
+    Raises InvalidScene unless the reference is continuous with its velocity, and starts where body 2 is, but for these.
+    """
     if not isinstance(reference, Sequence) or not all(isinstance(one, Piece) for one in reference):
-        raise TypeError("track takes a reference, a tuple of Pieces in m; use load_reference(...)")
+        raise TypeError("track takes a reference, a Force or a tuple of Pieces, in m; use load_reference(...)")
     if not reference or reference[0].start != 0:
         raise InvalidScene("a reference must begin at from = 0; give its first piece there")
     Force(reference)  # in order of time
     scene.require_filippov("tracking")
-    at = scene.initial
+    at, pair, total = scene.initial, scene.pair, arb(0)
     if at.v1 != at.v2:
         raise InvalidScene(f"v1 = {short(at.v1)} and v2 = {short(at.v2)} must be equal: body 2 follows a stuck body 1")
-    for order, (name, start) in enumerate((("r", at.x2), ("r'", at.v2))):
+    for order, (name, start, weight) in enumerate((("r", at.x2, pair.a2), ("r'", at.v2, pair.mass))):
         ends = [force_form(one, after.start - one.start, order) for one, after in pairwise(reference)]
         for piece, before in zip(reference, [SineForm(start), *ends], strict=True):
             begun = force_form(piece, Fraction(0), order)
-            if begun != before:
+            jump = begun - before
+            size, off = sum(abs(c) for part in jump.parts.values() for c in part), jump.enclosed(_BITS).abs_upper()
+            total += (number(weight * pair.m1)).sqrt() * off * (jump != 0)
+            if jump != 0 and not off < number(size) / 10**_ROUNDED_DIGITS:
                 left, right = (float(side.rounded(_FEW_BITS)) for side in (before, begun))
                 raise InvalidScene(
                     f"{name} jumps from {left:g} to {right:g} at t = {short(piece.start)}; no force can follow "
                     "that: make it begin with x2(0) and v2(0) of body 2, and continuous"
                 )
+    return float(total.upper())
 
 
 def _demand(m2: Fraction, index: int, piece: ExactPiece, digits: int) -> Demand:

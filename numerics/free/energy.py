@@ -2,7 +2,8 @@
 
 Three roads, the cheapest that gives what is asked: a pair that never slips again keeps its energy; a few hundred events
 are stepped one by one; beyond those, on an exit ray close to the critical orbit, the Abel functions of the return map
-(abel.py) jump over all remaining excursions at once. Everything is enclosed. A pair with a damper is stepped.
+(abel.py) jump over all remaining excursions at once. Everything is enclosed. With a damper, a force or friction that
+changes every event is stepped.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ _JUMP_PAYS_AFTER = 300
 class EnergyMethod(Enum):
     """How the answer was found; the value is the sentence that --explain prints."""
 
-    NO_MORE_SLIP = "the pair never slips again: its energy is that of its last slip, or its start"
+    NO_MORE_SLIP = "the pair never slips again: its motion since the last slip, or the start, is known"
     STEPPED = "every event up to the time was located, one after the other"
     ABEL = "close to the critical orbit the Abel functions of the return map jumped over all remaining excursions"
 
@@ -73,8 +74,8 @@ def energy_at(
 ) -> EnergyAt:
     """Return the energy of a scene at time t (s) > 0, its `until` disregarded, to `digits` right digits (proved).
 
-    Raises InvalidScene (t), NoForceHere, OutOfRange (too many events before the return map takes over), EventUndecided
-    and PrecisionExhausted (the cap on the working digits).
+    E_cr is that of the pair's own b. Raises InvalidScene (t), OutOfRange (too many events before the return map takes
+    over), EventUndecided and PrecisionExhausted (the cap on the working digits).
     """
     at = exact_decimal(t, "t")
     if at <= 0:
@@ -82,7 +83,7 @@ def energy_at(
     require_plain("energy_at", scene, "the energy at one time")
     rate_squared = scene.pair.a2 / scene.pair.mass * at * at
     size = max(0, math.ceil((rate_squared.numerator.bit_length() - rate_squared.denominator.bit_length()) * 0.1506))
-    road = _damped if scene.pair.a1 > 0 and not scene.is_forced else _free
+    road = _stepped if scene.pair.a1 > 0 or scene.is_forced else _free
 
     def attempt(arithmetic: Ball) -> tuple[EnergyAt, list[arb]]:
         found = EnergyAt(digits, *road(scene, at, arithmetic, arithmetic.digits - size, max_steps))
@@ -91,17 +92,19 @@ def energy_at(
     return to_digits(attempt, digits, max_digits, size + SPARE_DIGITS)
 
 
-def _damped(scene: Scene, at: Fraction, arithmetic: Ball, _: int, max_steps: int) -> tuple[Any, ...]:
-    """Return the answer for a pair with a damper, which takes E to 0, where 1 + w would cancel."""
+def _stepped(scene: Scene, at: Fraction, arithmetic: Ball, _: int, max_steps: int) -> tuple[Any, ...]:
+    """Return the answer for a pair with a damper, which takes E to 0, where 1 + w would cancel, or with signals."""
     from numerics.linear.engine import run_linear
 
-    record = run_linear(Scene(scene.pair, scene.initial, at, scene.law), arithmetic, max_steps)
+    scene = scene.replace(until=at)
+    record = run_linear(scene, arithmetic, max_steps)
     if record.how is How.EVENT_LIMIT:
         raise OutOfRange(f"more than {max_steps} events before t = {short(at)} s; raise max_steps")
     frame, end = Frame(arithmetic, scene.pair), record.end
     state = frame.reduced((end.x1, end.v1, end.x2, end.v2))
     exits = sum(before.mode == 0 != after.mode for before, after in pairwise(record.rows))
-    road = EnergyMethod.NO_MORE_SLIP if record.how is How.STUCK else EnergyMethod.STEPPED
+    lasts = record.how is How.STUCK and not scene.changes_later
+    road = EnergyMethod.NO_MORE_SLIP if lasts else EnergyMethod.STEPPED
     energy = scene.pair.energy((end.x1, end.v1, end.x2, end.v2), arithmetic.number)
     return frame, energy, state.w, exits, MODES[end.mode], state, road, record.events
 

@@ -16,7 +16,6 @@ from typing import Any, NamedTuple
 
 from numerics.arithmetic.functions import sqrt
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.errors import NoForceHere
 from numerics.free.slip import Start
 from numerics.scene import Law, Pair, Scene
 
@@ -65,14 +64,9 @@ class Frame:
 def begin(scene: Scene, frame: Frame) -> Start:
     """Return the first motion of a scene with a1 = 0, no force and constant b, in the arithmetic's context.
 
-    Every sign is decided on exact rationals; which mode begins is the rule of linear/modes.py. Raises NoForceHere,
-    OutOfRange.
+    Every sign is decided on exact rationals; which mode begins is the rule of linear/modes.py. Raises OutOfRange.
     """
     pair, at = scene.pair, scene.initial
-    if scene.is_forced or pair.a1:
-        raise NoForceHere(
-            "this scene has a force, a damper, or a friction that changes; solve it up to the time asked for"
-        )
     number, rate, length, q = frame.arithmetic.number, frame.rate, pair.half_width, pair.share
     x, v1, v2, apart = (one / length for one in (at.x1, at.v1, at.v2, at.v1 - at.v2))  # V_i Omega
     mode, near = _sign(apart), 1 if x >= 0 else -1

@@ -181,7 +181,7 @@ Progress = Callable[[int, float], None]
 
 
 def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
-    """Solve a scene with a1 = 0, no force and constant b. Raises EventUndecided, OutOfRange, NoForceHere."""
+    """Solve a scene with a1 = 0, no force and constant b. Raises EventUndecided, OutOfRange."""
     at, number = scene.initial, arithmetic.number
     with arithmetic.context():
         frame = Frame(arithmetic, scene.pair)

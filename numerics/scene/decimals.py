@@ -50,8 +50,8 @@ def exact_decimal(value: object, name: str) -> Fraction:
     >>> exact_decimal("0.005", "x1"), exact_decimal(0.005, "x1"), exact_decimal("-1e-3", "x1")
     (Fraction(1, 200), Fraction(1, 200), Fraction(-1, 1000))
     """
-    if getattr(value, "shape", None) == ():  # of NumPy
-        value = value.item()  # type: ignore[attr-defined]
+    if getattr(value, "shape", None) == ():  # of NumPy: a float of 32 bits prints fewer digits than one of 64
+        value = str(value[()]) if value.dtype.kind == "f" else value.item()  # type: ignore[attr-defined, index]
     if type(value) is Fraction:  # itself: scenes that share a number can be told to
         return _checked_size(value, name)
     if isinstance(value, str):
@@ -193,7 +193,7 @@ def _checked_size(value: Fraction, name: str) -> Fraction:
 def shown(value: object) -> str:
     """Return a value as text that is safe on one line of an error message."""
     try:
-        text = repr(value)
+        text = str(value) if isinstance(value, Fraction) else repr(value)
     except ValueError:  # an array that holds an int beyond Python's limit on decimal text
         text = f"<long {type(value).__name__}>"
     text = " ".join(text.split())

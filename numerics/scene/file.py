@@ -208,8 +208,10 @@ def _signals(
 def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
     """Return the pieces of a file of two columns, t and u, with or without a line of their names."""
     file = table["file"]
-    if not isinstance(file, str) or table.keys() & {*_PIECE.split(), "b"}:
-        raise InvalidScene(f"file = {shown(file)} must be a text, beside kind alone; leave out {_PIECE}")
+    if not isinstance(file, str):
+        raise InvalidScene(f"file = {shown(file)} must be a text; give the path of a file of samples")
+    if others := ", ".join(table.keys() & {*_PIECE.split(), "b"}):
+        raise InvalidScene(f"file = {shown(file)} has times and values of its own; leave {others} out")
     lines = _content(str(folder / file), "file of samples", "give its path from the scene file").rstrip().splitlines()
     names = "".join(lines[:1]).strip(' "#').lower()
     first = int(names[:1].isalpha() and not names.startswith(("nan", "inf")))

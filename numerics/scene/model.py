@@ -340,7 +340,7 @@ WRT = ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1")
 """The initial state and the parameters of a free pair, in the order of the last axis of every array of derivatives."""
 
 
-_MOST_PIECES = 100
+MOST_PIECES = 100
 """A signal of more pieces is a table of samples, which nobody varies one by one."""
 
 
@@ -363,8 +363,8 @@ def parameters(scene: Scene, *, tables: bool = True) -> dict[str, Fraction]:
         return found
     found["until"] = scene.until
     for name, pieces in scene.pieces.items():
-        for index, piece in enumerate(pieces if tables or len(pieces) <= _MOST_PIECES else ()):
-            found |= _numbers_of(f"{name}[{index}]", piece)
+        for index, piece in enumerate(pieces if tables or len(pieces) <= MOST_PIECES else ()):
+            found |= numbers_of(f"{name}[{index}]", piece)
     if scene.friction.weakening is not None:
         given = scene.friction.weakening
         for name, keys, points in (("speed", "wb", given.speed), ("place", "zc", given.place)):
@@ -374,7 +374,8 @@ def parameters(scene: Scene, *, tables: bool = True) -> dict[str, Fraction]:
     return found
 
 
-def _numbers_of(name: str, piece: Piece) -> Iterator[tuple[str, Fraction]]:
+def numbers_of(name: str, piece: Piece) -> Iterator[tuple[str, Fraction]]:
+    """Yield the numbers of a piece by their names, which begin with its own."""
     yield f"{name}.from", piece.start
     if name.startswith("friction") and piece.constant is not None:
         yield f"{name}.b", piece.constant

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import combinations
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpq_mat
@@ -64,6 +65,8 @@ class PlanePair(ShortRepr):
     ) -> None:
         """Read every number as an exact decimal and check its bound."""
         m1, m2, a2, b, a1 = map(_listed, (m1, m2, a2, b, a1))
+        if m2 in ("inf", inf):
+            raise InvalidScene('m2 = "inf", ground or belt, is for scenes on one line; give a finite m2')
         if axes is not None and axes not in (2, 3):
             raise InvalidScene(
                 f"axes = {shown(axes)} must be 2 (x, y) or 3 (x, y, phi), as in the lists; on one line give numbers"

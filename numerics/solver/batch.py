@@ -13,8 +13,9 @@ from numerics.exits import tool
 from numerics.habits import Helpful
 from numerics.meter import meter
 from numerics.scene.decimals import require_one_of
+from numerics.scene.plane import AXES
 from numerics.scene.short_repr import html_table
-from numerics.solver.inputs import varying
+from numerics.solver.inputs import is_of_state, varying
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.status import Status
 from numerics.trajectory.units import unit
@@ -78,10 +79,12 @@ class Batch(Helpful):
     >>> x1, v1, x2, v2 = found.y
     >>> x1.shape, found.mode.tolist(), found.event_t.round(4).tolist(), bool((found.y_error < 1e-15).all())
     ((2, 2), ['slip', 'stick'], [[0.1081], [0.1735]], True)
-    >>> found.success.tolist(), found.message[0], found.digits.tolist(), found.inputs["x1 x"].tolist(), found.ANSWERS
-    ([True, True], 'reached the horizon', [15, 15], [0.006, 0.012], ('energy', 'events', 'digits', 't'))
-    >>> [*found.results], found.energy.shape, found.energy_error.shape
-    (['status', 'success', 'energy', 'events', 'digits', 't'], (2,), (2,))
+    >>> found.success.tolist(), found.message[0], found.digits.tolist(), found.inputs["x1_x"].tolist()
+    ([True, True], 'reached the horizon', [15, 15], [0.006, 0.012])
+    >>> found.ANSWERS[:5]
+    ('energy', 'events', 'digits', 't', 'x1_x')
+    >>> [*found.results][:6], found.energy.shape, found.energy_error.shape, found["x1_x"].round(6).tolist()
+    (['status', 'success', 'energy', 'events', 'digits', 't'], (2,), (2,), [-0.003929, -0.000434])
     """
 
     ANSWERS: tuple[str, ...]
@@ -164,9 +167,16 @@ class Batch(Helpful):
     def values(self, answer: str) -> Array:
         """Return one of `ANSWERS`; x1, v1, x2, v2 are those at `t`. Raises ValueError."""
         require_one_of("answer", answer, self.ANSWERS)
-        names = answer.split(" - ")
-        found, *less = (self.y[STATE.index(name)] if name in STATE else getattr(self, name) for name in names)
+        found, *less = map(self._value, answer.split(" - "))
         return np.asarray(found - less[0] if less else found)
+
+    def _value(self, name: str) -> Array:
+        """Return an array by its name; a part of the state at `t`, on a surface with its axis behind it."""
+        if not is_of_state(name):
+            return np.asarray(getattr(self, name))
+        place, _, axis = name.partition("_")
+        found = self.y[STATE.index(place)]
+        return found[..., AXES.index(axis)] if axis else found
 
     def __getitem__(self, answer: str) -> Array:
         """Return the same: found["x1"]. Raises ValueError."""
@@ -176,7 +186,7 @@ class Batch(Helpful):
     def inputs(self) -> dict[str, Floats]:
         """Return m1, m2, a2, b, x1, v1, x2, v2, until, a1 and all else that varies, SI units, each in the shape.
 
-        On a surface "m1 x", "m1 y", ..., m2, b, x1, v1, x2, v2 by axes, and until.
+        On a surface these by axes, "m1_x", "m1_y", ..., and "a2_xy" where springs or dampers couple two.
         """
         return {name: np.broadcast_to(one, self.shape) for name, one in self._inputs().items()}
 
@@ -191,7 +201,7 @@ class Batch(Helpful):
         return {"status": ended, "success": self.success} | {name: self.values(name) for name in self.ANSWERS}
 
     def _columns(self) -> dict[str, Array]:
-        return self.inputs | {f"{name}_at_t" if name in STATE else name: one for name, one in self.results.items()}
+        return self.inputs | {f"{name}_at_t" if is_of_state(name) else name: one for name, one in self.results.items()}
 
     def to_dataframe(self) -> DataFrame:
         """Return inputs and results as a pandas DataFrame, a row for each scene, or point of it. Raises MissingTool.

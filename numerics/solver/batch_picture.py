@@ -7,8 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from numerics.solver.inputs import varying
-from numerics.trajectory.columns import STATE
+from numerics.solver.inputs import is_of_state, varying
 from numerics.trajectory.figures import BLUE, ORANGE, axes_for
 from numerics.trajectory.units import unit
 
@@ -17,7 +16,7 @@ def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
     """Draw into matplotlib axes; see Batch.plot."""
     axes, ax = along_of(batch, along), axes_for(answer, batch.ANSWERS, ax, "answer")
     values = batch.values(answer)
-    right, label = np.ravel(batch.success), _label(answer if answer not in STATE else f"{answer} at the end", answer)
+    right, label = np.ravel(batch.success), _label(f"{answer} at the end" if is_of_state(answer) else answer, answer)
     if values.ndim > len(batch.shape):
         (name, given), *_ = axes.items()
         x = np.broadcast_to(given[..., None], values.shape)

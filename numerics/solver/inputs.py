@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import product
+from itertools import combinations_with_replacement, product
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from flint import arb
 
 from numerics.errors import InvalidScene, NumericsError, OutOfRange
 from numerics.scene import Scene
-from numerics.scene.model import parameters
+from numerics.scene.model import MOST_PIECES, numbers_of, parameters
 from numerics.scene.plane import AXES, PlaneScene
 from numerics.trajectory.columns import STATE, Floats
 from numerics.trajectory.status import Status
@@ -44,14 +44,22 @@ def inputs_of(scenes: Sequence[Scene | PlaneScene], shape: tuple[int, ...] = (-1
 
 
 def _numbers_of(scene: Scene | PlaneScene) -> dict[str, Fraction]:
-    """Return the numbers of a scene by their names; on a surface those that each axis has."""
-    if isinstance(scene, PlaneScene):
-        places = product(enumerate(AXES[: scene.pair.axes]), ("m1", "m2", "b", *STATE))
-        named = {
-            f"{name} {axis}": getattr(scene if name in STATE else scene.pair, name)[k] for (k, axis), name in places
-        }
-        return {"until": scene.until} | named
-    return parameters(scene, tables=False) | {"until": scene.until}
+    """Return the numbers of a scene by their names; on a surface with its axis, or axes, behind them."""
+    if not isinstance(scene, PlaneScene):
+        return parameters(scene, tables=False) | {"until": scene.until}
+    pair, axes, found = scene.pair, AXES[: scene.pair.axes], {"until": scene.until}
+    for name in ("m1", "m2", "b", *STATE):
+        given = getattr(scene if name in STATE else pair, name)
+        found |= {f"{name}_{axis}": one for axis, one in zip(axes, given, strict=True)}
+    for name, (i, j) in product(("a1", "a2"), combinations_with_replacement(range(pair.axes), 2)):
+        found[f"{name}_{axes[i]}{axes[j] if i < j else ''}"] = getattr(pair, name)[i][j]
+    for axis, force in zip(axes, scene.force, strict=True):
+        for k, piece in enumerate(force.pieces if len(force.pieces) <= MOST_PIECES else ()):
+            found |= numbers_of(f"force_{axis}[{k}]", piece)
+    for k, (start, b) in enumerate(scene.friction):
+        found |= {f"friction[{k}].from": start}
+        found |= {f"friction[{k}].b_{axis}": one for axis, one in zip(axes, b, strict=True)}
+    return found
 
 
 def ended(run: Any) -> dict[str, Any]:
@@ -73,6 +81,15 @@ def together(rows: Sequence[dict[str, Any]]) -> dict[str, Any]:
     return found
 
 
+def is_of_state(name: str) -> bool:
+    """Return whether a name is that of a part of the state, on a surface with its axis behind it."""
+    return name.partition("_")[0] in STATE
+
+
 def varying(inputs: dict[str, Floats]) -> dict[str, Floats]:
-    """Return the inputs that are not the same everywhere."""
-    return {name: one for name, one in inputs.items() if one.size and (one != one.flat[0]).any()}
+    """Return the inputs that are not the same everywhere, each once: a sine in a sum is in several of its pieces."""
+    found = dict[str, Floats]()
+    for name, one in inputs.items():
+        if one.size and (one != one.flat[0]).any() and not any(np.array_equal(one, other) for other in found.values()):
+            found[name] = one
+    return found

@@ -221,6 +221,8 @@ def _numbers(name: str, values: Any, *, exact: bool) -> Array:
         return np.asarray(values, object)
     try:
         given = np.asarray(values)
+        if given.dtype in (np.float16, np.float32):  # the decimals that they print
+            given = given.astype(str)
         if given.dtype.kind in "OU":  # texts are read as in a scene
             given = np.vectorize(
                 lambda one: math.inf if one == "inf" else float(exact_decimal(one, name)), otypes=[np.float64]

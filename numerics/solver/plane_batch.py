@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 
 from numerics.errors import NumericsError, OutOfRange
-from numerics.scene.plane import PlaneScene
+from numerics.scene.plane import AXES, PlaneScene
 from numerics.solver.batch import Batch
 from numerics.solver.inputs import ended, floats_of, inputs_of, together
 from numerics.solver.solve import DIGITS, Limits, solve_to_digits
 from numerics.tasks import available_cores, run_tasks
-from numerics.trajectory.columns import room
+from numerics.trajectory.columns import STATE, room
 from numerics.trajectory.status import Status
 
 _FEW = 8
@@ -54,5 +54,6 @@ def solve_surfaces(
         jobs = available_cores() if len(scenes) > _FEW and find_spec("joblib") else 1
     solved = partial(_solved, keep_events, max_events)
     rows = [*run_tasks(solved, scenes, jobs=jobs, progress=progress)]
-    drawn = "energy", "events", "digits", "t"
+    states = (f"{name}_{axis}" for name in STATE for axis in AXES[: scenes[0].pair.axes])
+    drawn = "energy", "events", "digits", "t", *states
     return Batch((len(scenes),), drawn, partial(inputs_of, scenes), partial(together, rows))

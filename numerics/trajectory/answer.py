@@ -73,7 +73,7 @@ class Answer(Helpful, Generic[M]):
     """Of all events, shape (4 n, k)."""
     initial: tuple[Any, ...]
     final_state: tuple[Any, ...]
-    moment_rows: Any = None
+    _own_rows: Any = None
     """The segments of start, events and end, where they are known."""
     _begun: Any = MappingProxyType({})
     """The times at which pieces of signals begin, as they stand in a run, by their exact values."""
@@ -93,7 +93,7 @@ class Answer(Helpful, Generic[M]):
         new.__dict__ = {name: value for name, value in vars(self).items() if name not in _AT_ASKED_TIMES} | changed
         if new.t_eval is not None:
             with new.context():
-                times = new.as_times(new.t_eval)
+                times = new._times(new.t_eval)
             new._asked = times, new.sol(times)
         return new
 
@@ -137,15 +137,15 @@ class Answer(Helpful, Generic[M]):
     @property
     def t(self) -> Array:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
-        return (self.moments if self.t_eval is None else self._asked)[0]
+        return (self._own_moments if self.t_eval is None else self._asked)[0]
 
     @property
     def y(self) -> Array:
         """Return the states at `t`, shape (4 n, m)."""
-        return (self.moments if self.t_eval is None else self._asked)[1]
+        return (self._own_moments if self.t_eval is None else self._asked)[1]
 
     @cached_property
-    def moments(self) -> tuple[Array, Array]:
+    def _own_moments(self) -> tuple[Array, Array]:
         """Return the times of start, events and end, and the states there; of a run that was cut off no end."""
         last, end = [self.end_time] * self.reached, [np.ravel(self.final_state)] * self.reached
         times = np.concatenate([[self.arithmetic.number(0)], self.event_times, last])
@@ -155,7 +155,7 @@ class Answer(Helpful, Generic[M]):
     def energy(self) -> Array:
         """Return the energy at `t`, J, shape (m,), formed from the states."""
         with self.context():
-            return self._energies(self.t, self.y, self.moment_rows if self.t_eval is None else None)
+            return self._energies(self.t, self.y, self._own_rows if self.t_eval is None else None)
 
     @property
     def final_energy(self) -> Quantity:
@@ -178,7 +178,7 @@ class Answer(Helpful, Generic[M]):
         Raises ValueError outside [0, end].
         """
         with self.context():
-            given = self.as_times(t)
+            given = self._times(t)
             states = self._states_at(given.ravel(), side)
         return states.reshape(len(states), *given.shape)
 
@@ -192,7 +192,7 @@ class Answer(Helpful, Generic[M]):
         """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
         require_one_of("side", side, ("left", "right"))
         with self.context():
-            times = self.as_times(t)
+            times = self._times(t)
             after = np.searchsorted(self._points(self.event_times), self._points(times), side=side)
         return np.array(self._all_modes, dtype=object)[after]
 
@@ -204,7 +204,7 @@ class Answer(Helpful, Generic[M]):
         """Return the states at times, (4 n, m); in the arithmetic's context."""
         raise NotImplementedError
 
-    def as_times(self, t: Any) -> Array:
+    def _times(self, t: Any) -> Array:
         """Return times (s) as numbers of the arithmetic, in their shape. Raises ValueError outside [0, end]."""
         try:
             given = np.asarray(t)

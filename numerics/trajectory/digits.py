@@ -79,14 +79,14 @@ def _least_digits(some: Any, scale: arb) -> int:
 
 def _scales(trajectory: Any) -> Iterator[tuple[arb, arb]]:
     """Yield, of positions, speeds and energies along a run, to what a zero is compared, and the largest attained."""
-    (times, states), pair = trajectory.moments, trajectory.scene.pair
+    (times, states), pair = trajectory._own_moments, trajectory.scene.pair
     gone, lasted = np.diff(states[::2]), np.diff(times)
     means = [one.abs_lower() for one in (gone / lasted).flat if one.is_finite()]
     x = max(abs(one.mid()) for one in states[::2].flat)
     v = max([abs(one.mid()) for one in states[1::2].flat] + means)  # a mean speed is attained on the way
     squared = pair.a2 / (pair.m1 if pair.is_fixed else pair.mass) if pair.a2 else 1 / trajectory.scene.until**2
     slow, m1 = Ball.number(squared).sqrt() * x, Ball.number(pair.m1)
-    most = max([one.mid() for one in energy_of(trajectory, times, states, trajectory.moment_rows)] + [m1 * v * v / 2])
+    most = max([one.mid() for one in energy_of(trajectory, times, states, trajectory._own_rows)] + [m1 * v * v / 2])
     yield x, x
     yield max(v, slow), v
     yield max(most, m1 * slow * slow / 2), most

@@ -138,7 +138,7 @@ def ledger_of(run: RecordedRun) -> EnergyLedger:
     rows = range(len(run.row_lengths))
     friction, viscous, force, force_2, belt, wall, error = taken_in(run, rows)
     wall = wall + _by_jumps_of_the_wall(run)
-    times, states = run.moments
+    times, states = run._own_moments
     initial, final = energy_of(run, times[[0, -1]], states[:, [0, -1]], np.array([0, -1])).tolist()
     work = force + force_2 + belt + wall
     residual = initial + work - final - friction - viscous

@@ -14,8 +14,8 @@ from flint import arb
 
 MOST_DIGITS = 17
 """The most digits that a float can show."""
-_LEAST_RADIUS = arb(10) ** -99_999
-"""What is smaller is printed as this: decimals have no smaller exponents."""
+_LEAST_RADIUS = arb(10) ** -(10**12)
+"""What is smaller is printed as this: Python's decimals have no exponents below -10^18."""
 _SPARE_DIGITS = 3
 """Printed beyond the digits asked for, so that rounding the text costs none of them."""
 
@@ -28,7 +28,7 @@ def with_radius(name: str, x: arb, digits: int, spare: int = _SPARE_DIGITS) -> d
     >>> with_radius("v1", arb(0.125, 0.25), 15), with_radius("v1", arb(1, 0.0625), 15)["v1"]
     ({'v1': '0', 'v1_radius': '0.376'}, '1.0')
     >>> with_radius("v1", arb(0, (-arb("1e50")).exp()), 15)["v1_radius"]
-    '1.01E-99999'
+    '1.01E-1000000000000'
     """
     bits = x.rel_accuracy_bits()
     known = math.floor(bits * math.log10(2)) + 2

@@ -143,14 +143,14 @@ class RecordedRun(Answer[Mode]):
         return self._starts[1:]
 
     @cached_property
-    def moment_rows(self) -> Counts:
+    def _own_rows(self) -> Counts:
         """Return the rows of start and events, and -1 for the end: its segment, or what is known there."""
         return np.concatenate([self._starts, [-1]]) if self.reached else self._starts
 
     @cached_property
-    def moments(self) -> tuple[Array, Array]:
+    def _own_moments(self) -> tuple[Array, Array]:
         """Return the times of start, events and end, and the states there; of a run that was cut off no end."""
-        rows = self.moment_rows
+        rows = self._own_rows
         times = self.row_times[rows]
         if self.reached:
             times[-1] = self.end_time
@@ -214,7 +214,7 @@ class RecordedRun(Answer[Mode]):
     def row_at(self, t: Times, side: Side = "right") -> Counts:
         """Return the rows whose segments hold time(s) t (s), flat; at an event that on the given side."""
         with self.context():
-            return self._rows(self.as_times(t).ravel(), side)
+            return self._rows(self._times(t).ravel(), side)
 
     def _states_at(self, times: Array, side: Side) -> Array:
         return self.row_values(self.row_flow, times, side)
@@ -294,7 +294,7 @@ class RecordedRun(Answer[Mode]):
         def left(rows: Array, since: Array) -> Array:
             return np.asarray(carried[rows] - self.row_taken(rows, since)[0] / self._critical)
 
-        found: Number = self.row_values(left, self.as_times(t).reshape(1), side).tolist()[0]
+        found: Number = self.row_values(left, self._times(t).reshape(1), side).tolist()[0]
         return found
 
     def row_changes(self, rows: Counts, since: Floats) -> Floats:

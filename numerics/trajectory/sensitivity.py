@@ -172,7 +172,7 @@ def _rows_begun(trajectory: Trajectory, t: Times) -> dict[int, int]:
     if trajectory.arithmetic.name != "ball":
         return {}
     with trajectory.context():
-        times, rows = trajectory.as_times(t).ravel(), trajectory.row_at(t)
+        times, rows = trajectory._times(t).ravel(), trajectory.row_at(t)
         both = enumerate(zip(times, rows.tolist(), strict=True))
         return {place: row for place, (time, row) in both if same_ball(trajectory.row_times[row], time)}
 

@@ -181,7 +181,7 @@ class Trajectory(RecordedRun):
                 return np.asarray(formed)
             if self.t_eval is not None:
                 return np.array([self.row_excess_at(one, "right") for one in self.t], dtype=object)
-            return self.row_excess[self.moment_rows]
+            return self.row_excess[self._own_rows]
 
     def end_numbers(self) -> tuple[Number, ...]:
         """Return x1, v1, x2, v2, energy and, where there is E_cr, excess at the end."""

@@ -11,7 +11,8 @@ _TEXT = (
 )
 _UNITS = dict(one.split(": ") for one in _TEXT.split(", "))
 _OF_SIGNALS = {"belt": "m/s", "wall": "m"}
-_OF_ANGLES = {"m": "rad", "m/s": "rad/s", "N": "N m", "kg": "kg m^2"}
+_OF_ANGLES = {"m": "rad", "m/s": "rad/s", "N": "N m", "kg": "kg m^2", "N/m": "N m", "N s/m": "N m s"}
+_OF_COUPLINGS = {"N/m": "N", "N s/m": "N s"}
 
 
 def unit(name: str) -> str:
@@ -25,14 +26,17 @@ def unit(name: str) -> str:
     ('N s/m', 'm/s', 'N')
     >>> [unit(f"wall[1].polynomial[{order}]") for order in range(3)]
     ['m', 'm/s', 'm/s^2']
-    >>> unit("v1 - v2"), unit("x1_at_t"), unit("m1 phi"), unit("load_x_radius"), unit("events")
+    >>> unit("v1 - v2"), unit("x1_at_t"), unit("m1_phi"), unit("load_x_radius"), unit("events")
     ('m/s', 'm', 'kg m^2', 'N', '')
+    >>> unit("a2_xy"), unit("a2_xphi"), unit("a2_phi"), unit("force_phi[0].sines[0].amplitude"), unit("friction[0].b_x")
+    ('N/m', 'N', 'N m', 'N m', 'N')
     """
-    whole, _, is_angle = re.fullmatch(r"(.*?)([ _](x|y|(phi)))?(_radius|_at_t)?", name).group(1, 3, 4)  # type: ignore[union-attr]
+    whole, axes = re.fullmatch(r"(.*?)(?:_(x|y|phi|xy|xphi|yphi))?(?:_radius|_at_t)?", name).groups()  # type: ignore[union-attr]
     word = whole.partition(" ")[0]
     last = word.rpartition(".")[2]
     own, (key, _, order) = _OF_SIGNALS.get(word.partition("[")[0], "N"), last.rstrip("]").partition("[")
     if key == "polynomial":
         return own + ("" if order == "0" else "/s" if order == "1" else f"/s^{order}")
     found = own if last == "amplitude" else _UNITS.get(last, "")
-    return _OF_ANGLES.get(found, found) if is_angle else found
+    of = _OF_COUPLINGS if axes in {"xphi", "yphi"} else _OF_ANGLES if axes == "phi" or "_phi[" in name else {}
+    return of.get(found, found)

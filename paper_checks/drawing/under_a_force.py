@@ -7,15 +7,15 @@ from fractions import Fraction
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch
 
 from numerics.control.answers import solved_again
-from numerics.control.pictures import REGIME_COLOURS, draw_ring, draw_thresholds, draw_transfer
+from numerics.control.pictures import draw_ring, draw_thresholds, draw_transfer
 from numerics.control.ring import ring_entry
 from numerics.control.transfer import fastest_transfer
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
+from numerics.trajectory.figures import marks_of
 from paper_checks.drawing.style import BODY_1, BODY_2, panels, samples
 from theory import critical_resonance as critical
 from theory.forced_response import natural
@@ -39,8 +39,8 @@ def thresholds_over_frequency() -> Figure:
         for rate, name in ((pair.a2 / pair.mass, r"$\Omega$"), (pair.a2 / pair.m1, r"$\omega_1$")):
             ax.axvline(float(rate) ** 0.5, color="#777777", lw=0.7, ls=":")
             ax.text(float(rate) ** 0.5, 0.98, name, transform=ax.get_xaxis_transform(), ha="right", va="top")
-    patches = [Patch(fc=colour, ec="black", lw=0.4, label=name) for name, colour in REGIME_COLOURS.items()]
-    figure.legend(handles=[*patches, *figure.axes[0].lines[:3]], loc="outside lower center", ncols=3, frameon=False)
+    marks = marks_of(both[0])
+    figure.legend(marks.values(), marks, loc="outside lower center", ncols=3, frameon=False)
     return figure
 
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from strategies import decimals
 from three_scenes import PAPER
 
-from numerics import EventUndecided, Pair, solve
+from numerics import EventUndecided, Pair, load_scene, solve
 from numerics.arithmetic.ball import Ball, digits_within
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.free.abel import AbelFunctions, arcs
@@ -105,6 +105,15 @@ def test_viscous_scenes_take_the_short_road():
     damped = PAPER.replace(a1="0.01")
     exits = sum(one.kind is EventKind.EXIT for one in solve(damped).events)
     assert energy_at(damped, 3).excursions == exits > 0
+
+
+@pytest.mark.parametrize("name", ["forced-step", "forced-friction-by-pieces"])
+def test_under_a_force_or_friction_by_steps_it_is_that_of_the_run(name):
+    scene = load_scene(name).replace(until=3)
+    found, run = energy_at(scene.replace(until=1), 3), solve(scene, digits=15)
+    assert found.energy.overlaps(run.final_energy)
+    assert found.energy_excess.overlaps(run.energy_excess[-1])
+    assert (found.stepped, found.mode) == (len(run.events), run.final_mode)
 
 
 def test_the_energy_at_a_late_time_as_a_command(output, record):

@@ -99,7 +99,7 @@ solve start-at-6mm --json --csv | leave one of them out
 solve start-at-6mm --arithmetic float64 --digits 9 | --digits 9 needs ball or mpmath
 solve start-at-6mm --dig 9
 solve start-at-6mm --digits 1e3
-energy forced-step --at 1
+energy belt --at 1
 energy start-with-speed --at inf
 response velocities
 response velocities --omega 0 | omega = 0

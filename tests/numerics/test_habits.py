@@ -20,6 +20,7 @@ from numerics import (
 )
 from numerics.meter import meter
 from numerics.scene.file import parse_scene
+from numerics.trajectory.columns import STATE
 from numerics.trajectory.units import unit
 
 PAPER = load_scene("velocities")
@@ -61,14 +62,18 @@ def test_b_beside_sines_is_their_middle():
 
 SPEEDS, AMPLITUDE = np.linspace(0.01, 0.3, 12), "force[0].sines[0].amplitude"
 SHAKEN = [load_scene("belt").replace(force=Force.sine(one, 9)) for one in (1, 2)]
+JOINED = [SHAKEN[0].replace(force=Force.sine(one, 9) + Force.step(1, "0.2")) for one in (1, 2)]
 STARTS = [PlaneScene(PlanePair(1, 1, [200, 120], ["0.5", "0.4"], 1), "0.1", x1=[x, 0]) for x in ("0.012", "0.002")]
+PUSHED = [STARTS[0].replace(force=[Force(), Force.constant(one)]) for one in (1, "1.5")]
 BATCHES = {
     "some are cut off": (lambda: solve_many(1, 1, 200, 0.05, v1=SPEEDS, until=5, max_events=20), "dissipated", "v1"),
     "a grid": (lambda: solve_many(1, 1, 200, [[0.05], [0.1]], v1=SPEEDS, until=1), "events", "b"),
     "a force": (lambda: solve_many(1, 1, 200, 1, sines=[([0.1, 1], 5, 0)], until=2), "v1", "sines[0].amplitude"),
     "scenes": (lambda: solve_scenes(SHAKEN), "events", AMPLITUDE),
     "points": (lambda: bifurcation(SHAKEN, keep=2), "v1 - v2", AMPLITUDE),
-    "a surface": (lambda: solve_scenes(STARTS, jobs=1), "energy", "x1 x"),
+    "a sine in two pieces": (lambda: solve_scenes(JOINED), "events", AMPLITUDE),
+    "a push on a surface": (lambda: solve_scenes(PUSHED, jobs=1), "v2_y", "force_y[0].polynomial[0]"),
+    "a surface": (lambda: solve_scenes(STARTS, jobs=1), "energy", "x1_x"),
 }
 
 
@@ -76,14 +81,14 @@ BATCHES = {
 def test_batches_are_drawn_over_what_varies_and_become_tables_with_units(name):
     """Results have the names and units of a run's table, a state beside inputs is x1_at_t."""
     make, answer, along = BATCHES[name]
-    found, known = make(), {"b": "N", "v1": "m/s", "x1 x": "m"}
+    found, known = make(), {"b": "N", "v1": "m/s", "x1_x": "m"}
     table, grid, ax = found.to_dataframe(), found.to_xarray(), found.plot(answer)
     units = {"t": "s", answer: unit(answer), along: known.get(along, "N")}
     assert ax.get_xlabel() == f"{along} ({units[along]})"
     assert ax.get_ylabel().startswith("v1 (m/s)" if name == "a grid" else answer)
     assert (ax.get_legend() is None) == bool(found.success.all())
-    if answer == "v1":
-        units["v1_at_t"], answer = "m/s", "v1_at_t"
+    if answer[:2] in STATE and " " not in answer:
+        units[f"{answer}_at_t"], answer = "m/s", f"{answer}_at_t"
     assert {**units, **table.attrs["units"]} == table.attrs["units"]
     values = found.values(answer.removesuffix("_at_t"))
     assert table[answer].to_numpy() == pytest.approx(values.ravel(), nan_ok=True)

@@ -15,6 +15,7 @@ from three_scenes import PAPER
 
 import numerics
 from numerics import (
+    Force,
     Pair,
     Scene,
     State,
@@ -112,13 +113,16 @@ def test_every_record_is_shown_in_one_short_line():
 
 # numbers of any kind
 
-ONE_HALF = [0.5, "0.5", "1/2", " 1 / 2 ", Decimal("0.5"), Fraction(1, 2), np.float64(0.5), np.float32(0.5)]
+ONE_FIFTH = [0.2, "0.2", "1/5", " 1 / 5 ", Decimal("0.2"), Fraction(1, 5), np.float64(0.2), np.float32(0.2)]
 
 
-@pytest.mark.parametrize("half", ONE_HALF)
-def test_every_kind_of_number_is_read(half):
-    assert Pair(1, 1, 200, half) == PAPER.pair
-    assert Scene(PAPER.pair, State(x1=half), half) == Scene(PAPER.pair, State("0.5"), "0.5")
+@pytest.mark.parametrize("fifth", ONE_FIFTH)
+def test_every_kind_of_number_is_read(fifth):
+    """A float of 32 bits by the decimals that it prints, too."""
+    assert Scene(PAPER.pair, State(x1=fifth), fifth) == Scene(PAPER.pair, State("0.2"), "0.2")
+    assert Force.samples(np.array([fifth]), [1]) == Force.step("0.2", 1)
+    batch = solve_many(1, 1, 200, 1, v1=np.array([fifth]), until=1)
+    assert batch.inputs["v1"].tolist() == [0.2]
 
 
 def test_a_ratio_is_a_number_in_a_scene_file_and_in_a_batch():

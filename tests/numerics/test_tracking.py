@@ -8,7 +8,7 @@ import pytest
 from control_scenes import DAMPED, FREE, referred
 from flint import arb
 
-from numerics import Friction, Pair, Piece, Scene, Sine, State
+from numerics import Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.control.tracking import track
 from numerics.scene.file import load_reference
@@ -27,6 +27,16 @@ def test_body_2_follows_by_the_reference(pair, name):
     with Ball(36).context():
         goal = over(reference[-1])(arb(3))
         assert abs(run.x2 - goal) < arb(10) ** -30
+
+
+def test_one_minus_a_cosine_is_followed_though_its_phase_is_rounded():
+    path = Force([Piece(0, ["0.004"], [Sine("0.004", 6, "-1.5707963267948966")])])
+    found = track(Scene(FREE, State(), 2), path)
+    with Ball(40).context():
+        missed = abs(solve(found.scene, digits=30).final.x2 - over(path.pieces[0])(arb(2)))
+        assert 0 < missed < found.force_error / float(FREE.m1 * FREE.a2) ** 0.5 < 1e-18
+    with pytest.raises(InvalidScene, match="r' jumps from 0 to"):
+        track(Scene(FREE, State(), 2), Force([Piece(0, ["0.004"], [Sine("0.004", 6, "-1.5707963267")])]))
 
 
 def test_what_asks_too_much_is_named_piece_by_piece_with_how_much():
