@@ -55,7 +55,7 @@ def _panels(width: float, height: float, *grid: int, **how: Any) -> tuple[Figure
 def draw_response(found: Any) -> Figure:
     """Return the velocities and the friction over a period of a Response, and for one sine the thresholds."""
     scene, known = found.one_period(), found.thresholds
-    figure, axes = _panels(12.6, 4.4, 1, 3) if known else _panels(8.4, 4.4, 1, 2)
+    figure, axes = _panels(13.5, 5.6, 1, 3) if known else _panels(8.4, 4.4, 1, 2)
     if scene is not None:
         solved = solve(scene)
         for kind, ax in zip(("velocities", "load"), axes, strict=False):

@@ -166,11 +166,12 @@ def _sliding_region(pair: Any, ax: Any) -> None:
 
 
 def _excess(trajectory: Any, curve: SampledCurve, ax: Any) -> None:
-    """Draw what the energy has above E_cr, or lacks below it. Raises InvalidScene without E_cr."""
+    """Draw what the energy has above E_cr, or lacks, if it is more than its error. Raises InvalidScene without E_cr."""
     _ = trajectory.scene.pair.half_width, trajectory.scene.pair.critical_energy
+    least = trajectory.accuracy.energy_excess if trajectory.bounded else 0.0
     for part, label, dashes in ((curve.w, r"$E/E_{cr} - 1$", "-"), (-curve.w, r"$1 - E/E_{cr}$", "--")):
-        if (part > 0).any():
-            ax.semilogy(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, color="black", ls=dashes)
+        if (part > least).any():
+            ax.semilogy(curve.t, np.where(part > least, part, np.nan), lw=1.2, label=label, color="black", ls=dashes)
 
 
 def _energy(trajectory: Any, curve: SampledCurve, ax: Any) -> None:

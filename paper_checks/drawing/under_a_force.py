@@ -40,7 +40,7 @@ def thresholds_over_frequency() -> Figure:
             ax.axvline(float(rate) ** 0.5, color="#777777", lw=0.7, ls=":")
             ax.text(float(rate) ** 0.5, 0.98, name, transform=ax.get_xaxis_transform(), ha="right", va="top")
     marks = marks_of(both[0])
-    figure.legend(marks.values(), marks, loc="outside lower center", ncols=3, frameon=False)
+    figure.legend(marks.values(), marks, loc="outside lower center", ncols=2, frameon=False)
     return figure
 
 
