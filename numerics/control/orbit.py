@@ -23,6 +23,7 @@ from flint import acb, acb_mat, arb, arb_mat
 from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.control.answers import number, rounded
 from numerics.control.drive import PeriodicDrive, stuck_motion
+from numerics.control.thresholds import NonStop, impedance, odd_ratio
 from numerics.errors import EventUndecided, InvalidScene, NotSettled, OutOfRange
 from numerics.linear.flow import Motion, motion_in
 from numerics.linear.system import LinearMode
@@ -253,7 +254,9 @@ def search(drive: PeriodicDrive, max_events: int) -> Orbit:
 
 
 def _starts(drive: PeriodicDrive) -> Iterator[Start]:
-    """Yield where searches begin: slipping, next to the stuck response, and with body 2 at rest."""
+    """Yield where searches begin: in a slip with two reversals a period, next to the stuck response, body 2 at rest."""
+    if (passing := _passing(drive)) is not None:
+        yield passing
     t = rounded(drive.period * number(_BEGIN), _DIGITS)
     # it slips at once: a pair that would stay stuck elsewhere does not hide the motion
     far = number(2 * drive.pair.half_width), arb(0), arb(0)
@@ -267,6 +270,22 @@ def _starts(drive: PeriodicDrive) -> Iterator[Start]:
         yield t, free, periods
     for periods in (16, 64, 256):
         yield t, far, periods
+
+
+def _passing(drive: PeriodicDrive) -> Start | None:
+    """Return where a slip of sign + begins that reverses twice a period under one sine, if U >= U** (thresholds.py)."""
+    pair, (sine, *others) = drive.pair, drive.piece.sines
+    if others or pair.a2 == pair.m1 * sine.omega**2 or odd_ratio(pair, pair.m1, sine.omega) is not None:
+        return None
+    motion, U = NonStop(pair, sine.omega), number(sine.amplitude)
+    R = ((U / motion.reach) ** 2 - motion.V**2).sqrt()
+    if not motion.least <= R:
+        return None
+    # the sine moves body 1 at R sin(tau) - V cos(tau), tau the angle since
+    turn = (acb(R, -motion.V) * impedance(pair, pair.m1, sine.omega) / (acb(0, 1) * motion.omega * U)).arg()
+    x1 = motion.fading[0, 0] + number(drive.rest - pair.b / pair.a2) - R / motion.omega
+    v = -motion.beta * motion.half / 2
+    return rounded((turn - number(sine.phase)) / motion.omega, _DIGITS), (x1, v, v), 1
 
 
 def _breaking(drive: PeriodicDrive) -> Iterator[Start]:

@@ -30,7 +30,7 @@ from numerics.control.drive import (
 from numerics.control.orbit import MAX_EVENTS, Orbit, middle, search, solve_orbit
 from numerics.control.rotating import pictures, rotating_force, rotating_response
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
-from numerics.errors import InvalidScene
+from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.meter import meter
 from numerics.scene import Force, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits
@@ -42,6 +42,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _EVERY = "every motion tends to it"
+_SEARCHES = 1
+"""So many times a search without a damper is repeated with more digits: there may be no motion to find."""
 
 
 class Regime(Enum):
@@ -163,7 +165,16 @@ def response(
     # v2 is lost beside a v1 that so much larger a force gives
     times = sum(abs(one.amplitude) for one in sines) / drive.pair.b
     lost = max(0, times.numerator.bit_length() - times.denominator.bit_length()) * 3 // 10
-    return to_digits(attempt, digits, most_digits(digits, max_digits), SPARE_DIGITS + lost)
+    most = most_digits(digits, max_digits)
+    try:
+        return to_digits(attempt, digits, most, SPARE_DIGITS + lost, most if drive.pair.a1 else _SEARCHES)
+    except EventUndecided:
+        if drive.pair.a1 > 0 or orbit is not None:
+            raise
+        raise NotSettled(
+            "no search came to a periodic motion with events; without a damper the bodies may also stick while they "
+            "swing freely; give a damper, or follow one motion by solve"
+        ) from None
 
 
 def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
@@ -189,7 +200,7 @@ def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
 
 def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> Response:
     pair, sines = drive.pair, drive.piece.sines
-    multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
+    touches = len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0
     tends = "each tends to one in which the bodies stick permanently"
     stays = (
         "a1 = 0, so not all motions tend to it: a free oscillation of the stuck pair does not decay, and motions that "
@@ -203,10 +214,12 @@ def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> R
             breaks = "but motions with a free oscillation that flattens the peaks of the load"
             why = f"{tends}; the stuck response itself breaks, {breaks}"
         why = f"{why} stick up to {known.exception.str(6, radius=False)} N, as Omega/omega is odd"
-    elif len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0:
-        multipliers, why = None, f"{_EVERY if pair.a1 > 0 else tends}; its load touches the limit"
+    elif touches:
+        why = _EVERY if pair.a1 > 0 else tends
     else:
         why = f"{_EVERY}, and sticks after a finite time" if pair.a1 > 0 else stays
+    multipliers = None if touches else stuck_multipliers(drive)
+    why += "; its load touches the limit" * touches
     return Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)
 
 

@@ -33,6 +33,7 @@ from numerics.control.orbit import Orbit, motion_of, one_round, state_at, withou
 from numerics.control.response import response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
+from numerics.linear.flow import Motion
 from numerics.linear.system import W, Z
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, require_digits, short
@@ -232,20 +233,35 @@ def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:
     """Return the last time (s) at which the motion is on the ring before the time from which on it is inside; or 0."""
     orbit, squared, weight = known.orbit, number(radius**2), number(1 / rate**2)
+    last = number(max(_last_start(trajectory.scene), Fraction(0)))
     for one in reversed(legs(trajectory)):
         if one.start < known.since:
             together = [(one,)] if orbit is None else [(one, two) for two in orbit.between(one.start, one.end)]
             for parts in reversed(together):
                 start, end = reduce(arb.max, (part.start for part in parts)), reduce(arb.min, (p.end for p in parts))
-                found = _last_zero(_outside(parts, start, known.limit, squared, weight), end - start)
+                motions = _one_motion(parts, start) if start >= last else _motions(parts, start)
+                found = _last_zero(_outside(motions, known.limit, squared, weight), end - start)
                 if found is not None:
                     return start + found
     return arb(0)
 
 
-def _outside(parts: Sequence[Leg], start: arb, limit: arb, squared: arb, weight: arb) -> Function:
-    """Return D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 from a time (s) on: of one motion, or of that less another."""
-    motions = [(motion_of(one), start - one.start) for one in parts]
+def _motions(parts: Sequence[Leg], start: arb) -> list[tuple[Motion, arb]]:
+    """Return the motions of legs, each with the time (s) since its start at which another time counts from 0."""
+    return [(motion_of(one), start - one.start) for one in parts]
+
+
+def _one_motion(parts: Sequence[Leg], start: arb) -> list[tuple[Motion, arb]]:
+    """Return the same of legs under one force; in one mode their difference is a motion, which no signal drives."""
+    if len({one.side for one in parts}) == len(parts):
+        return _motions(parts, start)
+    mode, (one, two) = parts[0].mode, (state_at(part, start) for part in parts)
+    apart = [a - b for a, b in zip(one, two, strict=True)]
+    return [(Motion(motion_of(parts[0]).flow, [*apart, *[arb(0)] * (mode.size - len(apart))]), arb(0))]
+
+
+def _outside(motions: Sequence[tuple[Motion, arb]], limit: arb, squared: arb, weight: arb) -> Function:
+    """Return D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2: of one motion, or of that less another."""
 
     def over(t: arb) -> tuple[arb, arb]:
         here, *others = [[*chain(*motion.ranges((Z, W), since + t, 0, 1))] for motion, since in motions]

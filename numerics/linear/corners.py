@@ -8,10 +8,11 @@ Events that numbers decide are strict. So only what is known exactly (exact_star
     an event without a slope         its time moves by a root of e
     stick as slip's own motion       a neighbour slips by an amount of first order
     a contact on the horizon         a neighbour sticks, or does not
+    a load as large as b_static      a neighbour slips, with a rate of first order
 
-No corner is a tie that stick or slip leaves at once, at the start, at a contact or after a jump that leaves the pair
-stuck: a neighbour slips, or sticks, for a time e^(1/k) with friction off by e, which is less than first order. Nor is
-a touch of the load: beyond b by e for a time sqrt(e) at most.
+Else no corner is a tie that stick or slip leaves at once, at the start, at a contact or after a jump that leaves the
+pair stuck: a neighbour slips, or sticks, for a time e^(1/k) with friction off by e, which is less than first order. Nor
+is a touch of the load: beyond b by e for a time sqrt(e) at most.
 """
 
 from __future__ import annotations
@@ -21,25 +22,30 @@ from fractions import Fraction
 
 from numerics.linear.cells import first_mode
 from numerics.linear.exact_start import ExactKnot, ExactMotion, exact_knots, exact_motion
+from numerics.linear.model import FRICTION
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.polynomial_root import touches
 from numerics.linear.ties import MARGINAL, applied, exact_z
-from numerics.scene import Scene
+from numerics.scene import Law, Scene
 
 _REGULAR = 2
 """So many derivatives of a slip's guard vanish after an exit: the load went past b with a slope."""
+_ON_EDGE = "the load is exactly what friction holds at rest"
 
 
 def corner(scene: Scene, pieces: Sequence[ExactPiece], until: float) -> str | None:
     """Return what leaves a scene without derivatives, and when, if its motion meets that up to a time (s); exact."""
     knots = exact_knots(scene, pieces)
-    for knot, after in zip(knots, [*knots[1:], None], strict=True):
+    for before, knot, after in zip([None, *knots], knots, [*knots[1:], None], strict=False):
         piece = pieces[knot.piece]
         begun = piece.start + knot.local
         if begun > until:
             return None
         motion = exact_motion(scene, piece, knot)
-        what = _in_segment(motion, knot)
+        what = _in_segment(scene, piece, motion, knot)
+        leaves = before is not None and before.mode == 0 and before.piece == knot.piece
+        if what is None and _is_kept(scene) and not leaves and _on_edge(scene, piece, knot):
+            what = _ON_EDGE
         if what is not None:
             return f"after t = {float(begun):.6g} s {what}"
         if after is not None:
@@ -51,13 +57,28 @@ def corner(scene: Scene, pieces: Sequence[ExactPiece], until: float) -> str | No
     return None
 
 
-def _in_segment(motion: ExactMotion | None, knot: ExactKnot) -> str | None:
+def _in_segment(scene: Scene, piece: ExactPiece, motion: ExactMotion | None, knot: ExactKnot) -> str | None:
     """Return what is wrong with the motion from a knot to the next."""
-    if knot.order == MARGINAL:
+    is_loose = scene.law is Law.THREE_VALUED_SGN and piece.signals[FRICTION].constant == 0
+    if knot.order == MARGINAL or (knot.mode == 0 and is_loose):
         return "stick is the motion of a slip as well"
-    guards = motion.guards() if motion is not None and knot.mode else None
-    slides = guards is not None and touches(guards, Fraction(0), knot.quiet - knot.local)
-    return "the bodies' velocities touch in a slip" if slides else None
+    if motion is None or not (knot.mode or _is_kept(scene)):
+        return None
+    guards = motion.guards()
+    if guards is None or not touches(guards, Fraction(0), knot.quiet - knot.local):
+        return _ON_EDGE if motion.stays() and not motion.stays(strictly=True) else None
+    return "the bodies' velocities touch in a slip" if knot.mode else _ON_EDGE
+
+
+def _is_kept(scene: Scene) -> bool:
+    """Return whether friction holds more at rest than in slip."""
+    return scene.pair.b_static not in {None, scene.pair.b}
+
+
+def _on_edge(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> bool:
+    """Return whether v1 = v2 at a knot, and the load is exactly as large as what friction holds at rest."""
+    z = exact_z(piece, 0, knot.local, knot.state)
+    return knot.gap == 0 and any(applied(row, z).sign() == 0 for row in first_mode(scene, piece, 0).guards)
 
 
 def _between(scene: Scene, before: ExactPiece, one: ExactKnot, two: ExactKnot) -> str | None:

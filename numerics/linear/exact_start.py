@@ -139,8 +139,10 @@ class ExactMotion:
         has_waves = self.first < self.mode.size
         return None if has_waves or not self.ends or len(found) < len(self.mode.guards) else found
 
-    def stays(self) -> bool:
+    def stays(self, strictly: bool = False) -> bool:
         """Return whether stick never ends: its guards are a constant but for one oscillation, and may touch 0 for ever.
+
+        Not if `strictly`.
 
         That is the steady answer to a sine, or the free motion of an undamped pair.
         """
@@ -161,7 +163,8 @@ class ExactMotion:
             amplitudes = zip(self.mode.sine_places, self.mode.amplitudes, strict=True)
             squares += [size**2 * (waves[n] ** 2 + waves[n + 1] ** 2) for n, size in amplitudes]
             room = value - swing
-            if room < 0 or sum(squares) > room**2 or sum(map(bool, squares)) > 1:
+            is_over = sum(squares) >= room**2 if strictly else sum(squares) > room**2
+            if room < 0 or is_over or sum(map(bool, squares)) > 1:
                 return False
         return True
 

@@ -11,10 +11,10 @@ An initial state with v1 = v2 has neighbours with v1 != v2, which slip:
 
 For a1 = 0 the derivative with respect to a1 is one-sided, towards a1 > 0. On the critical orbit (E = E_cr exactly,
 stuck for ever) neighbours with more energy slip, by amounts that vanish faster: the derivatives are those of the stuck
-pair. Under the law three-valued-sgn a pair that sticks outside the sliding region comes apart on one side of v1 = v2:
-then, too, the derivative is the one towards the other side. By a start at t = 0 derivatives are one-sided, towards a
-later one; by `until`, if u or b jumps there, towards a shorter run. Where a piece of force and one of friction begin
-together, each is moved alone.
+pair. A pair that sticks under more load than b, up to b_static or under the law three-valued-sgn, comes apart on one
+side of v1 = v2: then, too, the derivative is the one towards the other side. By a start at t = 0 derivatives are one-
+sided, towards a later one; by `until`, if u or b jumps there, towards a shorter run. Where a piece of force and one of
+friction begin together, each is moved alone.
 """
 
 from __future__ import annotations

@@ -76,10 +76,12 @@ def test_that_friction_does_not_hold_under_nearly_incommensurable_sines_is_seen_
 REGIMES = """
 1 1 200 0.5    | 0.5    20 | ENTRAINED  | yes | but each tends to one in which the bodies stick permanently
 1 1 200 0.5    | 0.75   20 | ENTRAINED  | no  | permanently; its load touches the limit
+1 1 200 0.5    | 8    10/3 | ENTRAINED  | no  | others stick up to 9.23760 N, as Omega/omega is odd; its load touches the limit
 1 1  68 0.5  5 | 0.5     4 | ENTRAINED  | yes | every motion tends to it, and sticks
 1 2  84 0.5 12 | 0.9375  4 | ENTRAINED  | no  | every motion
 1 2  84 0.5 12 | 0.9375000000001 4 | STICK_SLIP | yes | every motion
 1 1 100 0.5    | 0.6    10 | STICK_SLIP | yes |
+0.968 0.4166 66.11 0.2797 | 0.36 8.26 | NON_STOP | yes | every motion tends to it: all multipliers are below 1
 1 1 100 0.5    | 0.8    10 | GROWS      | no  | every motion grows
 """
 """m1, m2, a2, b and a1; the force; the regime; whether there are multipliers. U* is 0.75 N in the first rows: at it no
