@@ -76,7 +76,7 @@ def test_that_friction_does_not_hold_under_nearly_incommensurable_sines_is_seen_
 REGIMES = """
 1 1 200 0.5    | 0.5    20 | ENTRAINED  | yes | but each tends to one in which the bodies stick permanently
 1 1 200 0.5    | 0.75   20 | ENTRAINED  | no  | permanently; its load touches the limit
-1 1 200 0.5    | 8    10/3 | ENTRAINED  | no  | others stick up to 9.23760 N, as Omega/omega is odd; its load touches the limit
+1 1 200 0.5    | 8    10/3 | ENTRAINED  | no  | stick up to 9.23760 N, as Omega/omega is odd; its load touches the limit
 1 1  68 0.5  5 | 0.5     4 | ENTRAINED  | yes | every motion tends to it, and sticks
 1 2  84 0.5 12 | 0.9375  4 | ENTRAINED  | no  | every motion
 1 2  84 0.5 12 | 0.9375000000001 4 | STICK_SLIP | yes | every motion
