@@ -275,14 +275,15 @@ def _starts(drive: PeriodicDrive) -> Iterator[Start]:
 def _passing(drive: PeriodicDrive) -> Start | None:
     """Return where a slip of sign + begins that reverses twice a period under one sine, if U >= U** (thresholds.py)."""
     pair, (sine, *others) = drive.pair, drive.piece.sines
-    if others or pair.a2 == pair.m1 * sine.omega**2 or odd_ratio(pair, pair.m1, sine.omega) is not None:
+    below = impedance(pair, pair.m1, sine.omega)
+    if others or below == 0 or odd_ratio(pair, pair.m1, sine.omega) is not None:
         return None
     motion, U = NonStop(pair, sine.omega), number(sine.amplitude)
     R = ((U / motion.reach) ** 2 - motion.V**2).sqrt()
     if not motion.least <= R:
         return None
     # the sine moves body 1 at R sin(tau) - V cos(tau), tau the angle since
-    turn = (acb(R, -motion.V) * impedance(pair, pair.m1, sine.omega) / (acb(0, 1) * motion.omega * U)).arg()
+    turn = (acb(R, -motion.V) * below / (acb(0, 1) * motion.omega * U)).arg()
     x1 = motion.fading[0, 0] + number(drive.rest - pair.b / pair.a2) - R / motion.omega
     v = -motion.beta * motion.half / 2
     return rounded((turn - number(sine.phase)) / motion.omega, _DIGITS), (x1, v, v), 1

@@ -76,7 +76,7 @@ def draw_rotating(found: Any) -> Figure:
     for v, style in ((found.v1, FIRST), (found.v2, SECOND)):
         circle = complex(v) * turn
         draw_path(ax, circle.real, circle.imag, np.zeros(1), **style)
-    ax.set(title="Both bodies from above, counterclockwise like u", xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    ax.set(title="Both bodies from above, if u turns counterclockwise", xlabel="x (m)", ylabel="y (m)", aspect="equal")
     ax.locator_params(nbins=5)
     explain_below(figure)
     figure.suptitle(fill(found.sentence, 60))

@@ -42,8 +42,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _EVERY = "every motion tends to it"
-_SEARCHES = 1
-"""So many times a search without a damper is repeated with more digits: there may be no motion to find."""
+_SEARCHES = 2
+"""So many searches without a damper may end undecided: with more digits there may be no motion to find either."""
 
 
 class Regime(Enum):
@@ -128,8 +128,8 @@ def response(
     Progress is logged.
 
     Raises InvalidScene (a force that is not periodic, friction that depends on the state), EventUndecided (nothing
-    was proved at the limit on digits, by default 16 times those requested), NotSettled (a period has too many events),
-    PrecisionExhausted, TypeError (no scene), ValueError (digits).
+    was proved at the limit on digits, by default 16 times those requested), NotSettled (a period has too many events;
+    without a damper no search succeeds), PrecisionExhausted, TypeError (no scene), ValueError (digits).
 
     >>> from numerics import load_scene
     >>> found = response(load_scene("forced-sine-stick-slip"), digits=8)
@@ -144,9 +144,22 @@ def response(
         return cast("Response", rotating_response(scene.pair, amplitude, omega, digits))
     require_plain("response", scene, "a response")
     drive = _drive_under(scene, amplitude=amplitude, omega=omega)
-    known, orbit, sines = None, None, drive.piece.sines
+    known, orbit, sines, left = None, None, drive.piece.sines, _SEARCHES
     if len(sines) == 1:
         known = thresholds(drive.pair, sines[0].omega, digits=digits, max_digits=max_digits)
+
+    def searched() -> Orbit:
+        nonlocal left
+        try:
+            return search(drive, max_events)
+        except EventUndecided:
+            left -= 1
+            if drive.pair.a1 > 0 or left > 0:
+                raise
+            raise NotSettled(
+                "no search came to a periodic motion with events; without a damper the bodies may also stick while "
+                "they swing freely; give a damper, or follow one motion by solve"
+            ) from None
 
     def attempt(_: Ball) -> tuple[Response, list[arb]]:
         nonlocal orbit
@@ -156,7 +169,7 @@ def response(
         elif entrained(drive) or others_stick(drive, known):
             found = _entrained(drive, known, digits)
         else:
-            orbit = search(drive, max_events) if orbit is None else solve_orbit(drive, orbit)
+            orbit = searched() if orbit is None else solve_orbit(drive, orbit)
             found = _of_orbit(orbit, known, digits)
         legs = () if found.orbit is None else found.orbit.legs
         numbers = [growth, found.drift or arb(0), *(one for leg in legs for one in (leg.start, *leg.state[:2]))]
@@ -165,16 +178,7 @@ def response(
     # v2 is lost beside a v1 that so much larger a force gives
     times = sum(abs(one.amplitude) for one in sines) / drive.pair.b
     lost = max(0, times.numerator.bit_length() - times.denominator.bit_length()) * 3 // 10
-    most = most_digits(digits, max_digits)
-    try:
-        return to_digits(attempt, digits, most, SPARE_DIGITS + lost, most if drive.pair.a1 else _SEARCHES)
-    except EventUndecided:
-        if drive.pair.a1 > 0 or orbit is not None:
-            raise
-        raise NotSettled(
-            "no search came to a periodic motion with events; without a damper the bodies may also stick while they "
-            "swing freely; give a damper, or follow one motion by solve"
-        ) from None
+    return to_digits(attempt, digits, most_digits(digits, max_digits), SPARE_DIGITS + lost)
 
 
 def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
@@ -219,7 +223,7 @@ def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> R
     else:
         why = f"{_EVERY}, and sticks after a finite time" if pair.a1 > 0 else stays
     multipliers = None if touches else stuck_multipliers(drive)
-    why += "; its load touches the limit" * touches
+    why += "; the load of the stuck response touches the limit" * touches
     return Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)
 
 

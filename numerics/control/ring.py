@@ -233,13 +233,13 @@ def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:
     """Return the last time (s) at which the motion is on the ring before the time from which on it is inside; or 0."""
     orbit, squared, weight = known.orbit, number(radius**2), number(1 / rate**2)
-    last = number(max(_last_start(trajectory.scene), Fraction(0)))
+    last = _last_start(trajectory.scene)
     for one in reversed(legs(trajectory)):
         if one.start < known.since:
             together = [(one,)] if orbit is None else [(one, two) for two in orbit.between(one.start, one.end)]
             for parts in reversed(together):
                 start, end = reduce(arb.max, (part.start for part in parts)), reduce(arb.min, (p.end for p in parts))
-                motions = _one_motion(parts, start) if start >= last else _motions(parts, start)
+                motions = _apart(parts, start) if one.mode.piece.start >= last else _motions(parts, start)
                 found = _last_zero(_outside(motions, known.limit, squared, weight), end - start)
                 if found is not None:
                     return start + found
@@ -251,7 +251,7 @@ def _motions(parts: Sequence[Leg], start: arb) -> list[tuple[Motion, arb]]:
     return [(motion_of(one), start - one.start) for one in parts]
 
 
-def _one_motion(parts: Sequence[Leg], start: arb) -> list[tuple[Motion, arb]]:
+def _apart(parts: Sequence[Leg], start: arb) -> list[tuple[Motion, arb]]:
     """Return the same of legs under one force; in one mode their difference is a motion, which no signal drives."""
     if len({one.side for one in parts}) == len(parts):
         return _motions(parts, start)

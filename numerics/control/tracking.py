@@ -2,7 +2,9 @@
 
 Body 2 has only the friction: x2 = r needs |r''| <= b/m2, and the pair sticks while it is less. Stuck all the way,
 
-    u = M r'' + a1 r' + a2 (r + x1(0) - r(0)),    from x2(0) = r(0) and v1(0) = v2(0) = r'(0); r, r' must not jump.
+    u = M r'' + a1 r' + a2 (r + x1(0) - r(0)),    from x2(0) = r(0) and v1(0) = v2(0) = r'(0)
+
+r and r' must not jump, but for what rounded phases make of them.
 
 The force of a polynomial with sines is one again; where a damper asks for a cosine, its phase pi/2 is rounded to 60
 digits.
@@ -68,7 +70,8 @@ class Tracking(ShortRepr):
     """The demands of a reference, and the scene whose force makes body 2 follow it, None if a demand exceeds b.
 
     `share`: max m2 |r''|/b, dimensionless, an enclosure. `force_error`: upper bound on int |u - exact u| dt (N s), from
-    rounded phases, those of r included; the error of the motion is at most force_error/sqrt(m1) in the norm N (sqrt J).
+    rounded phases, and sqrt(m1) times the norm N of what they make r jump by; the error of the motion is at most
+    force_error/sqrt(m1) in the norm N (sqrt J).
     `digits`: right digits of each number.
 
     >>> from numerics import load_reference, load_scene
@@ -110,8 +113,8 @@ def track(
     """Return how body 2 of a scene follows a reference (m, a signal or its pieces) until the scene's horizon.
 
     The force is u = M r'' + a1 r' + a2 (r + x1(0) - r(0)), which needs m2 |r''| <= b(t); it replaces the scene's own.
-    Raises InvalidScene (r or r' jumps, or does not start at x2(0), v2(0)), EventUndecided (m2 |r''| touches b where
-    that cannot be decided exactly), TypeError, ValueError (digits).
+    Raises InvalidScene (r or r' jumps by more than a rounded phase explains, or does not start at x2(0), v2(0)),
+    EventUndecided (m2 |r''| touches b where that cannot be decided exactly), TypeError, ValueError (digits).
 
     >>> from numerics import load_reference, load_scene
     >>> found = track(load_scene("at-rest"), load_reference("s-curve"))
@@ -162,8 +165,8 @@ def _missed(scene: Scene, reference: Sequence[Piece]) -> float:
             begun = force_form(piece, Fraction(0), order)
             jump = begun - before
             size, off = sum(abs(c) for part in jump.parts.values() for c in part), jump.enclosed(_BITS).abs_upper()
-            total += (number(weight * pair.m1)).sqrt() * off * (jump != 0)
-            if jump != 0 and not off < number(size) / 10**_ROUNDED_DIGITS:
+            total += number(weight * pair.m1).sqrt() * off
+            if off > number(size) / 10**_ROUNDED_DIGITS:
                 left, right = (float(side.rounded(_FEW_BITS)) for side in (before, begun))
                 raise InvalidScene(
                     f"{name} jumps from {left:g} to {right:g} at t = {short(piece.start)}; no force can follow "

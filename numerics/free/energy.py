@@ -3,7 +3,7 @@
 Three roads, the cheapest that gives what is asked: a pair that never slips again keeps its energy; a few hundred events
 are stepped one by one; beyond those, on an exit ray close to the critical orbit, the Abel functions of the return map
 (abel.py) jump over all remaining excursions at once. Everything is enclosed. With a damper, a force or friction that
-changes every event is stepped.
+changes, every event is stepped.
 """
 
 from __future__ import annotations

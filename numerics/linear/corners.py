@@ -8,7 +8,8 @@ Events that numbers decide are strict. So only what is known exactly (exact_star
     an event without a slope         its time moves by a root of e
     stick as slip's own motion       a neighbour slips by an amount of first order
     a contact on the horizon         a neighbour sticks, or does not
-    a load as large as b_static      a neighbour slips, with a rate of first order
+    a load as large as b_static      a neighbour slips, at a rate that does not vanish with e; a swing that comes to
+                                     it at its peaks counts wherever these are
 
 Else no corner is a tie that stick or slip leaves at once, at the start, at a contact or after a jump that leaves the
 pair stuck: a neighbour slips, or sticks, for a time e^(1/k) with friction off by e, which is less than first order. Nor
@@ -22,10 +23,9 @@ from fractions import Fraction
 
 from numerics.linear.cells import first_mode
 from numerics.linear.exact_start import ExactKnot, ExactMotion, exact_knots, exact_motion
-from numerics.linear.model import FRICTION
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.polynomial_root import touches
-from numerics.linear.ties import MARGINAL, applied, exact_z
+from numerics.linear.ties import MARGINAL, applied, derivatives, exact_z, mode_after
 from numerics.scene import Law, Scene
 
 _REGULAR = 2
@@ -59,8 +59,9 @@ def corner(scene: Scene, pieces: Sequence[ExactPiece], until: float) -> str | No
 
 def _in_segment(scene: Scene, piece: ExactPiece, motion: ExactMotion | None, knot: ExactKnot) -> str | None:
     """Return what is wrong with the motion from a knot to the next."""
-    is_loose = scene.law is Law.THREE_VALUED_SGN and piece.signals[FRICTION].constant == 0
-    if knot.order == MARGINAL or (knot.mode == 0 and is_loose):
+    literal = scene.law is Law.THREE_VALUED_SGN and knot.mode == 0
+    order = mode_after(first_mode(scene, piece, 0), knot.local, knot.state)[1] if literal else knot.order
+    if order == MARGINAL:
         return "stick is the motion of a slip as well"
     if motion is None or not (knot.mode or _is_kept(scene)):
         return None
@@ -71,8 +72,8 @@ def _in_segment(scene: Scene, piece: ExactPiece, motion: ExactMotion | None, kno
 
 
 def _is_kept(scene: Scene) -> bool:
-    """Return whether friction holds more at rest than in slip."""
-    return scene.pair.b_static not in {None, scene.pair.b}
+    """Return whether friction holds more at rest than in slip, and a stick ends where it holds no more."""
+    return scene.law is Law.FILIPPOV and scene.pair.b_static not in {None, scene.pair.b}
 
 
 def _on_edge(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> bool:
@@ -88,7 +89,10 @@ def _between(scene: Scene, before: ExactPiece, one: ExactKnot, two: ExactKnot) -
     load = applied(stick.load, z)
     is_at_edge = load * load.sign() == applied(stick.friction, z)
     if ends_here:
-        has_slope = two.order <= _REGULAR if one.mode == 0 else not (is_at_edge and load.sign() == one.mode)
+        has_slope = not (is_at_edge and load.sign() == one.mode)
+        if one.mode == 0:
+            _, rates, *_ = derivatives(stick, two.local, two.state)
+            has_slope = all(applied(row, rates).sign() for row in stick.guards if applied(row, z).sign() == 0)
         return "an event comes without a slope" if two.is_event and not has_slope else None
     if one.mode != 0:
         return "a slip ends where a piece begins" if two.gap == 0 else None
@@ -99,10 +103,12 @@ def _between(scene: Scene, before: ExactPiece, one: ExactKnot, two: ExactKnot) -
 
 def _at_the_end(scene: Scene, motion: ExactMotion | None, last: ExactKnot) -> str | None:
     """Return what is wrong with the horizon, if the motion is known exactly up to there."""
-    if motion is None or not motion.ends or last.mode == 0:
+    if motion is None or not motion.ends or not (last.mode or _is_kept(scene)):
         return None
     piece = motion.mode.piece
     if piece.start + piece.length < scene.until or last.quiet < piece.length:
         return None
     end = motion.at(piece.length)
+    if last.mode == 0:
+        return _ON_EDGE if _on_edge(scene, piece, end) else None
     return "a slip ends on the horizon" if end.gap == 0 else None

@@ -67,7 +67,7 @@ class EnclosedRun(EnclosedPath):
     def rows(self) -> Iterator[Knot | None]:
         """Follow the modes up to the horizon; yield every row, None before one that a root begins, the end last."""
         knots = exact_knots(self.scene, self.pieces)
-        if self.arithmetic.radius > 0:  # what is known of one start is not of all
+        if not self.arithmetic.radius.is_zero():  # what is known of one start is not of all
             knots = [knots[0]._replace(quiet=knots[0].local)]
         for knot in knots:
             at = self.begin(knot)
@@ -269,7 +269,7 @@ class EnclosedRun(EnclosedPath):
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
         at = At(knot.mode, knot.orders, knot.piece, local, state, zero, zero, zero, zero, knot.cell)
         x1, v1 = (knot.state[place].rational for place in (X1, V1))
-        if self.arithmetic.radius > 0:
+        if not self.arithmetic.radius.is_zero():
             self.interval(at, state)  # the same one for all starts
         elif knot.mode == 0 and self.varies:
             at = at._replace(apart=(knot.state[X1] - knot.state[X2]).rational)
@@ -284,7 +284,7 @@ class EnclosedRun(EnclosedPath):
         """Return the state of an exact knot in balls, which hold all that start within the radius."""
         bits, number, radius = 4 * self.arithmetic.digits + 64, self.arithmetic.number, self.arithmetic.radius
         found = [one.enclosed(bits) if one.parts else number(one.constant) for one in knot.state]
-        return [widened(one, radius) for one in found] if radius > 0 else found
+        return found if radius.is_zero() else [widened(one, radius) for one in found]
 
     def fixed(self, at: At) -> list[arb]:
         """Return the state of the true motion at the time of a point."""

@@ -50,8 +50,8 @@ def exact_decimal(value: object, name: str) -> Fraction:
     >>> exact_decimal("0.005", "x1"), exact_decimal(0.005, "x1"), exact_decimal("-1e-3", "x1")
     (Fraction(1, 200), Fraction(1, 200), Fraction(-1, 1000))
     """
-    if getattr(value, "shape", None) == ():  # of NumPy: a float of 32 bits prints fewer digits than one of 64
-        value = str(value[()]) if value.dtype.kind == "f" else value.item()  # type: ignore[attr-defined, index]
+    if getattr(value, "shape", None) == ():  # of NumPy
+        value = as_printed(value).item()
     if type(value) is Fraction:  # itself: scenes that share a number can be told to
         return _checked_size(value, name)
     if isinstance(value, str):
@@ -65,6 +65,11 @@ def exact_decimal(value: object, name: str) -> Fraction:
             return _from_text(repr(float(value)), name)
     remedy = "give one number (solve_many takes arrays)" if isinstance(value, Iterable) else "write it as 0.05 or 5e-2"
     raise InvalidScene(f"{name} must be a decimal number, not {shown(value)}; {remedy}")
+
+
+def as_printed(given: Any) -> Any:
+    """Return short floats of NumPy, which print fewer digits than those of 64 bits, as the texts that they print."""
+    return given.astype(str) if getattr(given, "dtype", None) in ("float16", "float32") else given
 
 
 def positive(value: object, name: str, remedy: str = "") -> Fraction:

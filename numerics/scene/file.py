@@ -210,7 +210,7 @@ def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
     file = table["file"]
     if not isinstance(file, str):
         raise InvalidScene(f"file = {shown(file)} must be a text; give the path of a file of samples")
-    if others := ", ".join(table.keys() & {*_PIECE.split(), "b"}):
+    if others := ", ".join(sorted(table.keys() & {*_PIECE.split(), "b"})):
         raise InvalidScene(f"file = {shown(file)} has times and values of its own; leave {others} out")
     lines = _content(str(folder / file), "file of samples", "give its path from the scene file").rstrip().splitlines()
     names = "".join(lines[:1]).strip(' "#').lower()

@@ -17,7 +17,7 @@ from flint import fmpq, fmpq_mat
 
 from numerics.errors import InvalidScene
 from numerics.scene import decimals
-from numerics.scene.decimals import Exact, exact_decimal, listed, put, require_one_of, short, shown
+from numerics.scene.decimals import Exact, as_printed, exact_decimal, listed, put, require_one_of, short, shown
 from numerics.scene.friction import friction_pieces
 from numerics.scene.model import HORIZON, NO_FORCE
 from numerics.scene.pieces import Force, require_all
@@ -169,7 +169,7 @@ class PlaneScene(ShortRepr):
 
 def _listed(given: Any) -> Any:
     """Return a list for a tuple or an array, and everything else as it is."""
-    made = given.tolist() if hasattr(given, "tolist") else given
+    made = as_printed(given).tolist() if hasattr(given, "tolist") else given
     return list(made) if isinstance(made, tuple) else made
 
 

@@ -186,7 +186,7 @@ class Batch(Helpful):
     def inputs(self) -> dict[str, Floats]:
         """Return m1, m2, a2, b, x1, v1, x2, v2, until, a1 and all else that varies, SI units, each in the shape.
 
-        On a surface these by axes, "m1_x", "m1_y", ..., and "a2_xy" where springs or dampers couple two.
+        On a surface these by axes, "m1_x", "m1_y", ..., and "a2_xy" for what couples two.
         """
         return {name: np.broadcast_to(one, self.shape) for name, one in self._inputs().items()}
 

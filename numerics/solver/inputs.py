@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations_with_replacement, product
@@ -88,8 +89,10 @@ def is_of_state(name: str) -> bool:
 
 def varying(inputs: dict[str, Floats]) -> dict[str, Floats]:
     """Return the inputs that are not the same everywhere, each once: a sine in a sum is in several of its pieces."""
-    found = dict[str, Floats]()
+    found, known = dict[str, Floats](), dict[str, list[Floats]]()
     for name, one in inputs.items():
-        if one.size and (one != one.flat[0]).any() and not any(np.array_equal(one, other) for other in found.values()):
+        alike = known.setdefault(re.sub(r"\[\d+\]", "", name), [])
+        if one.size and (one != one.flat[0]).any() and not any(np.array_equal(one, other) for other in alike):
             found[name] = one
+            alike.append(one)
     return found

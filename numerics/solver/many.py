@@ -21,7 +21,7 @@ from numerics.errors import InvalidScene
 from numerics.linear.batch import Columns
 from numerics.meter import meter
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
-from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole, shown
+from numerics.scene.decimals import as_printed, exact_decimal, listed, require_function, require_whole, shown
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import Batch
@@ -220,9 +220,7 @@ def _numbers(name: str, values: Any, *, exact: bool) -> Array:
     if exact:
         return np.asarray(values, object)
     try:
-        given = np.asarray(values)
-        if given.dtype in (np.float16, np.float32):  # the decimals that they print
-            given = given.astype(str)
+        given = as_printed(np.asarray(values))
         if given.dtype.kind in "OU":  # texts are read as in a scene
             given = np.vectorize(
                 lambda one: math.inf if one == "inf" else float(exact_decimal(one, name)), otypes=[np.float64]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import OutOfRange
@@ -28,9 +29,11 @@ def run_scene(
 ) -> Trajectory:
     """Solve a scene once, at the arithmetic's working precision. Raises EventUndecided, OutOfRange.
 
-    In float64 every scene runs in the linear engine; the free pair has an exact road of its own in the others.
+    In float64, and from a box of starts, every scene runs in the linear engine; else the free pair has an exact road of
+    its own.
     """
-    run = run_linear if isinstance(arithmetic, Float64) or not free_scene(scene) else run_free
+    is_box = isinstance(arithmetic, Ball) and not arithmetic.radius.is_zero()
+    run = run_linear if isinstance(arithmetic, Float64) or is_box or not free_scene(scene) else run_free
     try:
         return Trajectory(scene, arithmetic, run(scene, arithmetic, max_events, progress))
     except OutOfRange as error:

@@ -24,16 +24,16 @@ from typing import NamedTuple
 
 import flint
 import numpy as np
-from flint import arb, arb_mat
+from flint import arb
 
-from numerics.arithmetic.ball import Ball, widened
+from numerics.arithmetic.ball import Ball, undecided, widened
 from numerics.errors import NotDifferentiable
 from numerics.linear.cells import mode_in
 from numerics.linear.exact_start import exact_knots
 from numerics.linear.model import BELT, CONSTANT, FIRST, FRICTION, V1, V2, WALL, X1, Bodies
 from numerics.linear.pieces import ExactPiece
-from numerics.linear.system import matrix, value
-from numerics.linear.ties import derivatives, signal_form
+from numerics.linear.system import value
+from numerics.linear.ties import MARGINAL, derivatives, signal_form
 from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.variation import SIGNALS, Leg, Variation, driven, rates_in
@@ -189,24 +189,28 @@ class Chain:
     def _by_guard(self, leg: Leg, after: Leg, ended: CarriedDerivatives) -> Shift:
         """Return how an event by a guard moves."""
         own = self._of(leg)
-        if leg.side and self._is_on_edge(after):
-            when = f"at t = {float(after.start):.6g} s a slip ends with exactly the load that friction holds"
-            raise NotDifferentiable(f"this scene has no derivatives: {when}; change it slightly")
+        if leg.side:
+            self._require_clear(after)
         by_state, moved, rate = own.guard(after.side, after.state, after.start, ended.y)
         off = ended.norm * own.norm.most(by_state.tolist()) + ended.place * abs(by_state[2])
         off = off + (ended.far * abs(by_state[0] + by_state[2]) if not own.norm.root_a2 > 0 else 0)
         behind = after.rates if leg.side or self.bodies.static != 1 else None
         return Shift(-moved / rate, rates_in(leg.mode, after.start, after.state), behind, off / abs(rate))
 
-    def _is_on_edge(self, leg: Leg) -> bool:
-        """Return whether the load is on the edge where a slip has ended, and stays there, or a slip goes beyond b."""
-        keeps, stick = self.bodies.static != 1, mode_in(self.scene, leg.mode.piece, 0, (0, leg.cell[1]))
-        if self.scene.law is Law.THREE_VALUED_SGN or not (keeps or leg.side == 0):
-            return False
-        z = stick.begin(leg.state, leg.start)
-        rates = (matrix(stick.generator()) * arb_mat(stick.size, 1, z)).entries()
-        on_edge = (row for row in stick.guards if value(row, z).contains(0))
-        return any(keeps or value(row, rates).contains(0) for row in on_edge)
+    def _require_clear(self, leg: Leg) -> None:
+        """Raise NotDifferentiable where a slip has ended with a load on an edge that it keeps to, or that keeps sticks.
+
+        Raise EventUndecided where digits leave it open.
+        """
+        keeps, when = self.bodies.static != 1, f"at t = {float(leg.start):.6g} s"
+        if leg.order == MARGINAL or (keeps and leg.side == 0 and leg.order > 0):
+            ends = f"{when} a slip ends with exactly the load that friction holds"
+            raise NotDifferentiable(f"this scene has no derivatives: {ends}; change it slightly")
+        if keeps and leg.side:
+            mode = mode_in(self.scene, leg.mode.piece, 0, (0, leg.cell[1]))
+            for row in mode.guards:
+                if (held := value(row, mode.begin(leg.state, leg.start))).contains(0):
+                    raise undecided(f"does friction hold the load where a slip ends, {when}?", held)
 
     def _by_jumps(self, index: int) -> Iterator[Shift]:
         """Yield how each start at the beginning of a leg that begins a piece moves it.

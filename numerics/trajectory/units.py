@@ -28,15 +28,16 @@ def unit(name: str) -> str:
     ['m', 'm/s', 'm/s^2']
     >>> unit("v1 - v2"), unit("x1_at_t"), unit("m1_phi"), unit("load_x_radius"), unit("events")
     ('m/s', 'm', 'kg m^2', 'N', '')
-    >>> unit("a2_xy"), unit("a2_xphi"), unit("a2_phi"), unit("force_phi[0].sines[0].amplitude"), unit("friction[0].b_x")
-    ('N/m', 'N', 'N m', 'N m', 'N')
+    >>> unit("a2_xy"), unit("a2_xphi"), unit("a2_phi"), unit("force_phi[0].polynomial[1]"), unit("friction[0].b_phi")
+    ('N/m', 'N', 'N m', 'N m/s', 'N m')
     """
     whole, axes = re.fullmatch(r"(.*?)(?:_(x|y|phi|xy|xphi|yphi))?(?:_radius|_at_t)?", name).groups()  # type: ignore[union-attr]
     word = whole.partition(" ")[0]
     last = word.rpartition(".")[2]
+    of = _OF_COUPLINGS if axes in {"xphi", "yphi"} else _OF_ANGLES if axes == "phi" or "_phi[" in name else {}
     own, (key, _, order) = _OF_SIGNALS.get(word.partition("[")[0], "N"), last.rstrip("]").partition("[")
+    own = of.get(own, own)
     if key == "polynomial":
         return own + ("" if order == "0" else "/s" if order == "1" else f"/s^{order}")
     found = own if last == "amplitude" else _UNITS.get(last, "")
-    of = _OF_COUPLINGS if axes in {"xphi", "yphi"} else _OF_ANGLES if axes == "phi" or "_phi[" in name else {}
     return of.get(found, found)

@@ -67,6 +67,8 @@ class Leg(NamedTuple):
     """Of a whole piece that of the piece itself."""
     state: tuple[arb, arb, arb, arb]
     """x1, v1, x2, v2 at its start."""
+    order: int
+    """How many derivatives of the guard vanish at its start (record.py)."""
     is_event: bool
     """Whether the mode changes at its start."""
     begins_piece: bool
@@ -89,13 +91,11 @@ def legs(trajectory: Trajectory) -> list[Leg]:
     """Return the legs up to the horizon; else up to the event at which the run was cut off, and one of length 0."""
     knots, begins = trajectory.record.rows, np.diff(trajectory.row_pieces, prepend=-1) != 0
     starts, lengths = trajectory.row_times.tolist(), [*trajectory.row_lengths.tolist(), arb(0)]
-    with trajectory.arithmetic.context():  # a time is known, whatever a box of starts is
-        last = Ball.number(trajectory.scene.until) if trajectory.reached else starts[-1]
+    all_legs = enumerate(zip(knots, starts, [*starts[1:], trajectory.end_time], begins, strict=True))
     return [
-        Leg(
-            trajectory.row_mode(k), start, end, lengths[k], (one.x1, one.v1, one.x2, one.v2), one.event, first, one.cell
-        )
-        for k, (one, start, end, first) in enumerate(zip(knots, starts, [*starts[1:], last], begins, strict=True))
+        Leg(trajectory.row_mode(k), t, end, lengths[k], (x1, v1, x2, v2), one.order, one.event, first, one.cell)
+        for k, (one, t, end, first) in all_legs
+        for x1, v1, x2, v2 in ([one.x1, one.v1, one.x2, one.v2],)
     ]
 
 

@@ -13,7 +13,7 @@ from scene_files import scenes_in
 from strategies import decimals, fewer, signed, sine_scenes
 
 from numerics import EventUndecided, Pair, response, solve
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.control.drive import entrained
 from numerics.control.response import Regime, Response, attraction_of, last_drive
 from numerics.scene import largest
@@ -75,8 +75,8 @@ def test_that_friction_does_not_hold_under_nearly_incommensurable_sines_is_seen_
 
 REGIMES = """
 1 1 200 0.5    | 0.5    20 | ENTRAINED  | yes | but each tends to one in which the bodies stick permanently
-1 1 200 0.5    | 0.75   20 | ENTRAINED  | no  | permanently; its load touches the limit
-1 1 200 0.5    | 8    10/3 | ENTRAINED  | no  | stick up to 9.23760 N, as Omega/omega is odd; its load touches the limit
+1 1 200 0.5    | 0.75   20 | ENTRAINED  | no  | permanently; the load of the stuck response touches the limit
+1 1 200 0.5    | 8    10/3 | ENTRAINED  | no  | is odd; the load of the stuck response touches the limit
 1 1  68 0.5  5 | 0.5     4 | ENTRAINED  | yes | every motion tends to it, and sticks
 1 2  84 0.5 12 | 0.9375  4 | ENTRAINED  | no  | every motion
 1 2  84 0.5 12 | 0.9375000000001 4 | STICK_SLIP | yes | every motion
@@ -97,6 +97,13 @@ def test_regime_and_attraction_on_both_sides_of_a_threshold(row):
     assert said in found.attraction
     if regime == "GROWS":
         assert abs(found.growth - (arb(amplitude) - 2 / arb.pi()) / 2) < 1e-10
+
+
+def test_so_little_above_the_threshold_of_growth_that_digits_must_rise_twice_it_grows():
+    over = Fraction(1, 10**60)
+    with Ball(80).context():
+        U = exact_middle(2 / arb.pi()) + over
+    assert answer(Pair(1, 1, 100, "0.5"), U, 10).regime is Regime.GROWS
 
 
 def test_two_sines_at_resonance_grow_by_their_sum():

@@ -48,6 +48,16 @@ def test_the_entry_is_the_last_sample_outside(row):
     assert 0 < entry - outside(found, 2 * entry)[-1] < 2.1 * entry / 4_000
 
 
+def test_a_motion_under_another_force_is_held_against_the_periodic_one():
+    scene = SCENES["a-step-then-a-sine"]
+    found, run = ring_entry(scene, "0.03", digits=8), solve(scene, digits=20)
+    assert found.entry < 1  # s, when the sine begins
+    with Ball(24).context():
+        for t, sign in ((found.entry - arb("1e-6"), 1), (found.entry + arb("1e-6"), -1)):
+            x1, v1, x2, v2 = run.sol(t.mid()) - state_at(found.orbit.passage_at(t.mid()), t.mid())
+            assert sign * ((x1 - x2 - found.centre) ** 2 + (v1 - v2) ** 2 - arb("0.0009")) > 0
+
+
 def test_a_light_body_1_takes_no_finer_parts_for_ever():
     found = ring_entry(SCENES["a-light-body-1"], "0.001")
     assert float(found.entry) == pytest.approx(0.0856818353204)

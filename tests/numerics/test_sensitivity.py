@@ -179,6 +179,15 @@ def test_what_friction_read_literally_would_not_bring_back_has_no_derivative():
         sensitivities(solve(SCENES["a-belt-read-literally"]))
 
 
+@pytest.mark.parametrize("short", ["1e-50", "-1e-50"])
+def test_a_slip_that_ends_next_to_the_edge_has_derivatives(short):
+    """On the ground at rest; and a stick under the law read literally has them with any load."""
+    x1 = Fraction("0.0075") + Fraction(short)
+    assert compared(Scene(Pair(2, "inf", 200, "0.5"), State(x1), 1)).size < 1e-15
+    literal = Scene(Pair(2, 3, 100, 1, 0, "1.5"), State("0.025"), 1, "three-valued-sgn")
+    assert compared(literal).size < 1e-20
+
+
 # at any time
 
 FOLLOWED = scenes_in("followed")
