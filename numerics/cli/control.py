@@ -71,11 +71,11 @@ def _of_response(found: Response) -> Shown:
 
 
 def _of_rotating(found: RotatingResponse) -> Shown:
-    """Return the motion that rotates with a force; vectors are complex, with the force along x at t = 0."""
+    """Return the motion that rotates with a force; vectors as parts along x, as the force is at t = 0, and y."""
     vectors = {name: getattr(found, name) for name in ("friction", "q1", "v1", "v2")}
     values = {f"{name}_along": one.real for name, one in vectors.items()}
     values |= {f"{name}_across": one.imag for name, one in vectors.items()}
-    record: dict[str, Any] = {"sentence": found.sentence, "attracts": found.attracts}
+    record: dict[str, Any] = {"sentence": found.sentence, "attracts": found.attracts, "clockwise": found.clockwise}
     record |= numbers(found, "threshold", "speed", **values)
     every = "every motion tends to it" if found.attracts else "other motions need not tend to it"
     lines = [f"{found.sentence}; {every}", *number_lines(record)]

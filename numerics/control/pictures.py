@@ -72,11 +72,12 @@ def draw_response(found: Any) -> Figure:
 def draw_rotating(found: Any) -> Figure:
     """Return the circles of both bodies, each about its own centre; u starts along x."""
     figure, ax = _panels(6, 6.5, 1)
-    turn = np.exp(1j * np.linspace(0, 2 * np.pi, _POINTS)) / (1j * float(found.omega))
+    sense, way = (-1j, "clockwise") if found.clockwise else (1j, "counterclockwise")
+    turn = np.exp(sense * np.linspace(0, 2 * np.pi, _POINTS)) / (sense * float(found.omega))
     for v, style in ((found.v1, FIRST), (found.v2, SECOND)):
         circle = complex(v) * turn
         draw_path(ax, circle.real, circle.imag, np.zeros(1), **style)
-    ax.set(title="Both bodies from above, if u turns counterclockwise", xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    ax.set(title=f"Both bodies from above, {way}", xlabel="x (m)", ylabel="y (m)", aspect="equal")
     ax.locator_params(nbins=5)
     explain_below(figure)
     figure.suptitle(fill(found.sentence, 60))

@@ -138,10 +138,11 @@ def response(
     """
     require_digits(digits, max_digits=max_digits, max_events=max_events)
     if isinstance(scene, PlaneScene):
+        clockwise = False
         if amplitude is None or omega is None:
-            size, rate = rotating_force(scene, digits)
+            size, rate, clockwise = rotating_force(scene, digits)
             amplitude, omega = (size if amplitude is None else amplitude), (rate if omega is None else omega)
-        return cast("Response", rotating_response(scene.pair, amplitude, omega, digits))
+        return cast("Response", rotating_response(scene.pair, amplitude, omega, digits, clockwise=clockwise))
     require_plain("response", scene, "a response")
     drive = _drive_under(scene, amplitude=amplitude, omega=omega)
     known, orbit, sines, left = None, None, drive.piece.sines, _SEARCHES

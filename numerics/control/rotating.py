@@ -1,4 +1,4 @@
-"""The isotropic pair under a rotating force u = U (cos wt, sin wt), in closed form.
+"""The isotropic pair under a rotating force u = U (cos wt, sin wt), in closed form; clockwise, mirrored at the x axis.
 
 With D = a2 - m1 w^2 + i a1 w and D_M = a2 - M w^2 + i a1 w there is one threshold, U* = b |D_M|/(m2 w^2): up to it the
 pair sticks and rotates, above it body 2 slips with the constant speed rho = b p/(m2 w), p > 0 the root of
@@ -35,8 +35,9 @@ _SPARE = 20
 
 @dataclass(frozen=True)
 class RotatingResponse:
-    """The motion that rotates with the force; enclosures. Complex numbers are vectors (x + iy) e^{-iwt}.
+    """The motion that rotates with the force; enclosures.
 
+    Complex numbers are vectors (x + iy) e^{-iwt}, of a force that turns `clockwise` (x + iy) e^{iwt}.
     `threshold` U* (N); `speed` of the slip (m/s), 0 if stuck; `friction` f (N), `q1` (m), `v1` and `v2` (m/s) with the
     force U along x at t = 0; `exponents` (1/s) of perturbations of a slip in the rotating frame, none if stuck.
     `attracts`: whether every motion is proved to tend to it; for U < U* without a damper not every one does.
@@ -58,6 +59,7 @@ class RotatingResponse:
     v2: acb
     exponents: tuple[acb, ...]
     attracts: bool
+    clockwise: bool
     digits: int
 
     def plot(self) -> Figure:
@@ -77,8 +79,10 @@ def pictures() -> Any:
     return tool("numerics.control.pictures")
 
 
-def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: int = 15) -> RotatingResponse:
-    """Return the motion of an isotropic pair that rotates with U (cos wt, sin wt).
+def rotating_response(
+    pair: PlanePair, amplitude: Exact, omega: Exact, digits: int = 15, *, clockwise: bool = False
+) -> RotatingResponse:
+    """Return the motion of an isotropic pair that rotates with U (cos wt, sin wt), or with U (cos wt, -sin wt).
 
     Raises InvalidScene, EventUndecided (exponents that are not separated).
     """
@@ -98,10 +102,10 @@ def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: i
         v1 = v2 + f * (rho / n(b))
         attracts = bool(a1 > 0) or (level > 0 and a2 / m1 not in {w * w, w * w * 4})  # stuck, a free oscillation stays
         exponents = _exponents(line, w, rho) if level > 0 else ()
-        threshold, q1 = entrainment_threshold(line, w), v1 / (i * n(w))
-        return RotatingResponse(w, size, threshold, rho, f, q1, v1, v2, exponents, attracts, digits), [
-            one.real for one in exponents
-        ]
+        vectors = f, v1 / (i * n(w)), v1, v2
+        f, q1, v1, v2 = (one.conjugate() for one in vectors) if clockwise else vectors
+        threshold, known = entrainment_threshold(line, w), [one.real for one in exponents]
+        return RotatingResponse(w, size, threshold, rho, f, q1, v1, v2, exponents, attracts, clockwise, digits), known
 
     return to_digits(attempt, digits, spare=_SPARE)
 
@@ -122,8 +126,11 @@ def _exponents(line: Pair, w: Fraction, rho: arb) -> tuple[acb, ...]:
     return tuple(sorted(eigenvalues(arb_mat(matrix)), key=lambda one: -float(one.real.mid())))
 
 
-def rotating_force(scene: PlaneScene, digits: int = 15) -> tuple[Fraction, Fraction]:
-    """Return U and omega of a scene whose force rotates: its phases differ by pi/2 to `digits` digits."""
+def rotating_force(scene: PlaneScene, digits: int = 15) -> tuple[Fraction, Fraction, bool]:
+    """Return U, omega, and whether it turns clockwise, of a scene whose force rotates.
+
+    Its phases differ by pi/2 to `digits` digits. Raises InvalidScene.
+    """
     refusal = InvalidScene(
         "the force does not rotate: give each of x and y one piece from 0 on with one sine of the same amplitude and "
         "omega, phases pi/2 apart to the digits requested"
@@ -137,4 +144,4 @@ def rotating_force(scene: PlaneScene, digits: int = 15) -> tuple[Fraction, Fract
         turn = abs(Ball.number(x.phase - y.phase)) - arb.pi() / 2
         if x.omega != y.omega or abs(x.amplitude) != abs(y.amplitude) or not abs(turn) < arb(10) ** (-digits):
             raise refusal
-    return abs(x.amplitude), x.omega
+    return abs(x.amplitude), x.omega, x.amplitude * y.amplitude * (x.phase - y.phase) < 0

@@ -37,8 +37,8 @@ from numerics.scene.short_repr import ShortRepr
 
 _PHASE_DIGITS = 60
 _FEW_BITS, _BITS = 64, 512
-_ROUNDED_DIGITS = 15
-"""Sines that nearly cancel, to so many digits, jump because a phase was rounded: 1 - cos begins with -pi/2."""
+_ROUNDED_DIGITS = 13
+"""Sines that nearly cancel, to so many digits, jump since a phase or time was rounded: 1 - cos begins with -pi/2."""
 _LOST_DIGITS = 10
 """Of the working digits, so many are not asked of the largest acceleration: they are what a search may lose."""
 
@@ -177,7 +177,8 @@ def _missed(scene: Scene, reference: Sequence[Piece]) -> float:
 
 def _demand(m2: Fraction, index: int, piece: ExactPiece, digits: int) -> Demand:
     bend, limit, end = acceleration(piece), piece.b / m2, piece.start + piece.length
-    peak, where = largest_size(over(bend), number(piece.start), number(end), digits)
+    once = end if bend.frequency is None else min(end, piece.start + 7 / bend.frequency)  # more than a period
+    peak, where = largest_size(over(bend), number(piece.start), number(once), digits)
     possible = is_within(bend, limit, piece.length)
     if possible is None:
         possible = proved_sign(number(limit) - peak, "is the acceleration within the limit of friction?") >= 0

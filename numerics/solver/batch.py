@@ -184,7 +184,7 @@ class Batch(Helpful):
 
     @property
     def inputs(self) -> dict[str, Floats]:
-        """Return m1, m2, a2, b, x1, v1, x2, v2, until, a1 and all else that varies, SI units, each in the shape.
+        """Return m1, m2, a2, b, x1, v1, x2, v2, until, a1 and what else all scenes have, SI units, each in the shape.
 
         On a surface these by axes, "m1_x", "m1_y", ..., and "a2_xy" for what couples two.
         """

@@ -10,6 +10,7 @@ from typing import Any
 from numerics.exits import OK
 from numerics.meter import shown_steps
 from numerics.shown import print_table, write_figure
+from numerics.trade.judge import NO_ERROR
 
 MEANING = """Settings are digits, steps or tolerances. Times are processor times of warm calls, in turns with float64.
 Errors are the largest, against a proved run: of event times relative to the last one, of states at events and horizon
@@ -54,7 +55,7 @@ def print_trade(trade: Any) -> None:
             ],
         )
         if lead := trade.lead(scene):
-            ours, peer = (f"{one.method}, with {one.digits:.1f} right digits" for one in (lead.ours, lead.peer))
+            ours, peer = (f"{one.method}, off by {error_text(one.digits)}" for one in (lead.ours, lead.peer))
             print(f"{ours}, is {lead.ratio:.3g} times as fast as {peer}")
         print()
     for name, why in trade.left_out.items():
@@ -68,11 +69,13 @@ def print_trade(trade: Any) -> None:
 def error_text(digits: float | None) -> str:
     """Return the error of so many digits, however small.
 
-    >>> error_text(12.3), error_text(1003.9), error_text(-0.2), error_text(None)
-    ('5.0e-13', '1.3e-1004', '1.6e+00', '-')
+    >>> error_text(12.3), error_text(1003.9), error_text(-0.2), error_text(None), error_text(1e6)
+    ('5.0e-13', '1.3e-1004', '1.6e+00', '-', '0')
     """
     if digits is None:
         return "-"
+    if digits > NO_ERROR - 1:
+        return "0"
     return f"{10 ** (math.ceil(digits) - digits):.1f}e{-math.ceil(digits):+03d}"
 
 

@@ -22,6 +22,8 @@ from numerics.trajectory.comparison import as_ball
 
 MAX_EVENTS = 250_000
 _SPARE_DIGITS = 30
+NO_ERROR = 10**6
+"""Stands for the digits of what is exact."""
 
 
 class Outcome(NamedTuple):
@@ -78,7 +80,7 @@ def judge(run: Outcome, truth: Outcome, digits: int = 0) -> Judgement:
         if not all(one.is_finite() for one in errors):
             return Judgement(right - 1, None, "not every number is finite")
         # by the logarithm of a ball: it may be below the range of a float
-        worst = max(one.upper() for one in errors) + arb(10) ** -(10**6)
+        worst = max(one.upper() for one in errors) + arb(10) ** -NO_ERROR
         return Judgement(right - 1, math.floor(float(worst.log().mid()) / -math.log(10) * 100) / 100, "")
 
 

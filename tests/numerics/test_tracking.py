@@ -39,6 +39,12 @@ def test_one_minus_a_cosine_is_followed_though_its_phase_is_rounded():
         track(Scene(FREE, State(), 2), Force([Piece(0, ["0.004"], [Sine("0.004", 6, "-1.5707963267")])]))
 
 
+def test_a_reference_of_a_sine_takes_no_longer_for_a_long_horizon():
+    """It grew with the number of its periods."""
+    found = track(Scene(FREE, State(v1="0.001", v2="0.001"), 10**6), Force.sine("1e-6", 1000))
+    assert found.share.overlaps(Ball.number(FREE.m2 / FREE.b))
+
+
 def test_what_asks_too_much_is_named_piece_by_piece_with_how_much():
     """Pieces of the reference, and of a friction that falls in time."""
     found = track(Scene(FREE, State(), 2), REFERENCES["too-fast-in-the-end"])
