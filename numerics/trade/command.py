@@ -10,7 +10,6 @@ from typing import Any
 from numerics.exits import OK
 from numerics.meter import shown_steps
 from numerics.shown import print_table, write_figure
-from numerics.trade.judge import NO_ERROR
 
 MEANING = """Settings are digits, steps or tolerances. Times are processor times of warm calls, in turns with float64.
 Errors are the largest, against a proved run: of event times relative to the last one, of states at events and horizon
@@ -72,6 +71,8 @@ def error_text(digits: float | None) -> str:
     >>> error_text(12.3), error_text(1003.9), error_text(-0.2), error_text(None), error_text(1e6)
     ('5.0e-13', '1.3e-1004', '1.6e+00', '-', '0')
     """
+    from numerics.trade.judge import NO_ERROR
+
     if digits is None:
         return "-"
     if digits > NO_ERROR - 1:
