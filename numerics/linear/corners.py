@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import islice
 
 from numerics.linear.cells import first_mode
 from numerics.linear.exact_start import ExactKnot, ExactMotion, exact_knots, exact_motion
@@ -63,7 +64,7 @@ def _in_segment(scene: Scene, piece: ExactPiece, motion: ExactMotion | None, kno
     order = mode_after(first_mode(scene, piece, 0), knot.local, knot.state)[1] if literal else knot.order
     if order == MARGINAL:
         return "stick is the motion of a slip as well"
-    if motion is None or not (knot.mode or _is_kept(scene)):
+    if motion is None or not (knot.mode or (_is_kept(scene) and _is_loaded(scene, piece, knot))):
         return None
     guards = motion.guards()
     if guards is None or not touches(guards, Fraction(0), knot.quiet - knot.local):
@@ -76,10 +77,17 @@ def _is_kept(scene: Scene) -> bool:
     return scene.law is Law.FILIPPOV and scene.pair.b_static not in {None, scene.pair.b}
 
 
+def _is_loaded(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> bool:
+    """Return whether a stick needs friction, now or next: what comes to 0 together with friction makes no corner."""
+    stick = first_mode(scene, piece, 0)
+    return any(applied(stick.load, z).sign() for z in islice(derivatives(stick, knot.local, knot.state), 2))
+
+
 def _on_edge(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> bool:
-    """Return whether v1 = v2 at a knot, and the load is exactly as large as what friction holds at rest."""
-    z = exact_z(piece, 0, knot.local, knot.state)
-    return knot.gap == 0 and any(applied(row, z).sign() == 0 for row in first_mode(scene, piece, 0).guards)
+    """Return whether v1 = v2 at a knot, and the load is exactly as large as what friction holds at rest, and not 0."""
+    z, stick = exact_z(piece, 0, knot.local, knot.state), first_mode(scene, piece, 0)
+    is_tied = knot.gap == 0 and any(applied(row, z).sign() == 0 for row in stick.guards)
+    return is_tied and applied(stick.load, z).sign() != 0
 
 
 def _between(scene: Scene, before: ExactPiece, one: ExactKnot, two: ExactKnot) -> str | None:

@@ -188,6 +188,10 @@ def test_a_slip_that_ends_next_to_the_edge_has_derivatives(short):
     assert compared(literal).size < 1e-20
 
 
+def test_static_friction_that_falls_to_0_where_no_load_is_leaves_derivatives():
+    assert compared(SCENES["static-friction-that-touches-0"]).size < 1e-50
+
+
 # at any time
 
 FOLLOWED = scenes_in("followed")
