@@ -139,7 +139,7 @@ def response(
     require_digits(digits, max_digits=max_digits, max_events=max_events)
     if isinstance(scene, PlaneScene):
         clockwise = False
-        if amplitude is None or omega is None:
+        if scene.is_forced or amplitude is None or omega is None:
             size, rate, clockwise = rotating_force(scene, digits)
             amplitude, omega = (size if amplitude is None else amplitude), (rate if omega is None else omega)
         return cast("Response", rotating_response(scene.pair, amplitude, omega, digits, clockwise=clockwise))

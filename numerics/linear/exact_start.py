@@ -142,9 +142,7 @@ class ExactMotion:
     def stays(self, strictly: bool = False) -> bool:
         """Return whether stick never ends: its guards are a constant but for one oscillation, and may touch 0 for ever.
 
-        With `strictly` they may not touch it.
-
-        That is the steady answer to a sine, or the free motion of an undamped pair.
+        That is the steady answer to a sine, or the free motion of an undamped pair. With `strictly` they may not touch.
         """
         k = -self.A[V1].get(X1, _NONE) or Fraction(1)
         for row in self.mode.guards:

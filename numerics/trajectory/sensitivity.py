@@ -246,9 +246,15 @@ def _enclosed(
             continue
         if not np.array_equal(balls.row_signs, trajectory.row_signs):
             raise EventUndecided("are the events those of the trajectory?", f"{balls.record.events} events", digits)
-        with meter("derivatives") as line, precision(Ball(digits).bits + _GUARD_BITS):
-            found = asked(balls, Chain(scene, legs(balls), names, line))
-            right = _right_digits(found, digits)
+        try:
+            with meter("derivatives") as line, precision(Ball(digits).bits + _GUARD_BITS):
+                found = asked(balls, Chain(scene, legs(balls), names, line))
+                right = _right_digits(found, digits)
+        except EventUndecided:
+            if attempt + 1 == _TRIES:
+                raise
+            balls, digits = None, 2 * digits
+            continue
         if right >= wanted:
             break
         balls, digits = None, max(digits + wanted - right + 3, 2 * digits if attempt else 0)

@@ -93,6 +93,8 @@ def test_batches_are_drawn_over_what_varies_and_become_tables_with_units(name):
     values = found.values(answer.removesuffix("_at_t"))
     assert table[answer].to_numpy() == pytest.approx(values.ravel(), nan_ok=True)
     assert grid[answer].dims[0] == along
+    if name == "a push on a surface":
+        assert (values.tolist(), found.inputs[along].tolist()) == (found.y[3, :, 1].tolist(), [1, 1.5])
     assert (grid[answer].to_numpy().shape, grid[along].attrs["units"]) == (values.shape, units[along])
 
 

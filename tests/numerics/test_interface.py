@@ -17,6 +17,7 @@ import numerics
 from numerics import (
     Force,
     Pair,
+    PlanePair,
     Scene,
     State,
     damping,
@@ -121,6 +122,7 @@ def test_every_kind_of_number_is_read(fifth):
     """A float of 32 bits by the decimals that it prints, too."""
     assert Scene(PAPER.pair, State(x1=fifth), fifth) == Scene(PAPER.pair, State("0.2"), "0.2")
     assert Force.samples(np.array([fifth]), [1]) == Force.step("0.2", 1)
+    assert PlanePair(1, 1, 200, np.array([fifth, fifth])).b == (Fraction(1, 5),) * 2
     batch = solve_many(1, 1, 200, 1, v1=np.array([fifth]), until=1)
     assert batch.inputs["v1"].tolist() == [0.2]
 

@@ -32,7 +32,7 @@ from numerics import (
 from numerics.arithmetic.ball import Ball
 from numerics.scene.model import WRT
 from numerics.trajectory import sensitivity, variation
-from numerics.trajectory.run import free_scene
+from numerics.trajectory.run import free_scene, run_scene
 
 CATALOGUE = Path(__file__).parents[1] / "forced" / "scenes"
 PAIR = Pair(1, 1, 200, "0.05")
@@ -184,6 +184,10 @@ def test_a_slip_that_ends_next_to_the_edge_has_derivatives(short):
     """On the ground at rest; and a stick under the law read literally has them with any load."""
     x1 = Fraction("0.0075") + Fraction(short)
     assert compared(Scene(Pair(2, "inf", 200, "0.5"), State(x1), 1)).size < 1e-15
+    kept = Scene(Pair(2, "inf", 200, 1, 0, "1.5"), State(x1 + Fraction("0.01")), "0.5")
+    assert compared(kept).size < 1e-15
+    few = sensitivities(run_scene(kept, Ball(20))).final[0, 0]  # in 20 digits the load is what friction holds
+    assert few.overlaps(sensitivities(in_balls(kept)).final[0, 0])
     literal = Scene(Pair(2, 3, 100, 1, 0, "1.5"), State("0.025"), 1, "three-valued-sgn")
     assert compared(literal).size < 1e-20
 
