@@ -60,6 +60,11 @@ def test_an_excess_far_below_rounding_is_drawn(how):
     assert sampled(run).w * 1e22 == pytest.approx(4)
 
 
+def test_an_excess_below_its_error_is_not_drawn():
+    at_rest = PAPER.replace(x1=PAPER.pair.half_width, v1=0)
+    assert not solve(at_rest).plot("excess").lines
+
+
 def test_thousands_of_events_are_drawn_within_their_true_range():
     """Drawn through the events alone, the speeds of the stick phases between them were lost."""
     run = solve(PAPER.replace(until=300))

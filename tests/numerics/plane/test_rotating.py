@@ -22,6 +22,8 @@ def test_a_slip_goes_round_at_the_constant_speed_of_the_formula_to_forty_digits(
     """A run of a second that starts on the circle; clockwise it was that of the other sense."""
     found = response(PlaneScene(PAIR, 1, force=turning(2, sense)), digits=51)
     assert found.clockwise == (sense < 0)
+    x, y = found.plot().axes[0].lines[0].get_data()
+    assert sense * (x[0] * y[1] - x[1] * y[0]) > 0
     vectors = {"x1": found.q1, "v1": found.v1, "v2": found.v2}
     with Ball(61).context():
         start = {
